@@ -15,7 +15,7 @@ double normal_share_below(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)
 
 /// The largest distance between the share of the values below a place and `expected(place)`: Kolmogorov's statistic.
 template <class Expected>
-double distance_from(std::vector<double> values, const Expected& expected) {
+double distance_from_distribution(std::vector<double> values, const Expected& expected) {
   std::sort(values.begin(), values.end());
   double largest = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -48,20 +48,22 @@ TEST(Chance, SharesAreEvenlySpreadBelowOne) {
   const auto values = drawn([&] { return chance.share(); });
   EXPECT_GE(*std::min_element(values.begin(), values.end()), 0);
   EXPECT_LT(*std::max_element(values.begin(), values.end()), 1);
-  EXPECT_LT(distance_from(values, [](double x) { return x; }), limit());
+  EXPECT_LT(distance_from_distribution(values, [](double x) { return x; }), limit());
 }
 
 TEST(Chance, UniformAndSymmetricFillTheirIntervals) {
   Chance chance(2);
-  EXPECT_LT(distance_from(drawn([&] { return chance.uniform(-3, 5); }), [](double x) { return (x + 3) / 8; }),
+  EXPECT_LT(distance_from_distribution(drawn([&] { return chance.uniform(-3, 5); }),
+                                       [](double x) { return (x + 3) / 8; }),
             limit());
-  EXPECT_LT(distance_from(drawn([&] { return chance.symmetric(7); }), [](double x) { return (x + 7) / 14; }),
+  EXPECT_LT(distance_from_distribution(drawn([&] { return chance.symmetric(7); }),
+                                       [](double x) { return (x + 7) / 14; }),
             limit());
 }
 
 TEST(Chance, NormalFollowsTheErrorFunction) {
   Chance chance(3);
-  EXPECT_LT(distance_from(drawn([&] { return chance.normal(); }), normal_share_below), limit());
+  EXPECT_LT(distance_from_distribution(drawn([&] { return chance.normal(); }), normal_share_below), limit());
 }
 
 TEST(Chance, SeedDecidesTheStream) {

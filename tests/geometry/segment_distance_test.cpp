@@ -9,7 +9,7 @@
 namespace kempe {
 namespace {
 
-Point random_point(std::mt19937_64& random) {
+Point point_of_a_box(std::mt19937_64& random) {
   const double x = uniform(random, -10, 10), y = uniform(random, -10, 10);
   return {x, y};
 }
@@ -17,7 +17,7 @@ Point random_point(std::mt19937_64& random) {
 TEST(SegmentDistance, NoPlaceOfTheSegmentIsNearer) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 500; ++i) {
-    const Point point = random_point(random), a = random_point(random), b = random_point(random);
+    const Point point = point_of_a_box(random), a = point_of_a_box(random), b = point_of_a_box(random);
     const double found = distance(point, a, b);
     EXPECT_NEAR((nearest_on_segment(point, a, b) - point).norm(), found, 1e-12);
     double sampled = (a - point).norm();
@@ -33,7 +33,7 @@ TEST(SegmentDistance, NoPlaceOfTheSegmentIsNearer) {
 TEST(SegmentDistance, NearestPlaceIsTheEndItselfBeyondIt) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 500; ++i) {
-    const Point a = random_point(random), b = random_point(random);
+    const Point a = point_of_a_box(random), b = point_of_a_box(random);
     const double beyond = uniform(random, 0.01, 3);
     EXPECT_EQ(nearest_on_segment(b + beyond * (b - a), a, b), b);
     EXPECT_EQ(nearest_on_segment(a - beyond * (b - a), a, b), a);

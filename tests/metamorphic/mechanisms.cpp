@@ -14,7 +14,7 @@ namespace {
 
 constexpr int drawn = 80, mapped_below_the_bound = 8, mapped_above = 1, layers_tried = 3;
 
-std::optional<Point> draw_pole(const Spec& spec, Dice& dice) {
+std::optional<Point> draw_pole_about(const Spec& spec, Dice& dice) {
   if (spec.pole.is_fixed()) return std::get<Point>(spec.pole.place);
   const Region& area = std::get<Region>(spec.pole.place);
   const Box box = bounding_box(area);
@@ -28,7 +28,7 @@ std::optional<Point> draw_pole(const Spec& spec, Dice& dice) {
 
 /// A linkage that reaches the region with the transmission asked for: the ratio of its lengths drawn, then their size.
 std::optional<CopyingLinkage> draw_linkage(const Spec& spec, Dice& dice) {
-  const auto pole = draw_pole(spec, dice);
+  const auto pole = draw_pole_about(spec, dice);
   if (!pole) return std::nullopt;
   const auto& groundings = spec.objective.groundings;
   const Grounding grounding =
@@ -66,9 +66,9 @@ bool is_free_at_corners(const Spec& spec, const CopyingLinkage& linkage, const L
   return true;
 }
 
-class Trial {
+class MechanismTrial {
  public:
-  Trial(const Task& task, const Answer& answer, Counts& counts)
+  MechanismTrial(const Task& task, const Answer& answer, Counts& counts)
       : task_(task), answer_(answer), counts_(counts) {}
 
   void map(const CopyingLinkage& linkage, const LayerAssignment& layers) {
@@ -109,7 +109,7 @@ class Trial {
 std::vector<Finding> check_mechanisms(const Task& task, const Answer& answer, Dice& dice, Counts& counts) {
   const Spec& spec = answer.spec;
   const std::vector<LayerAssignment> layers = test::every_layers(spec.links.layers);
-  Trial trial(task, answer, counts);
+  MechanismTrial trial(task, answer, counts);
   int below = 0, above = 0;
   for (int i = 0; i < drawn && below < mapped_below_the_bound; ++i) {
     const auto linkage = draw_linkage(spec, dice);

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path examples = fs::path(KEMPE_SOURCE_DIR) / "specs/examples";
+const fs::path examples_folder = fs::path(KEMPE_SOURCE_DIR) / "specs/examples";
 
 std::string text_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -31,15 +31,15 @@ std::multimap<FileKind, fs::path> shipped() {
   std::multimap<FileKind, fs::path> files;
   for (const auto& [folder, kind] : std::map<std::string, FileKind>{
            {".", FileKind::spec}, {"linkages", FileKind::linkage}, {"calibration", FileKind::measurements}})
-    for (const auto& entry : fs::directory_iterator(examples / folder))
+    for (const auto& entry : fs::directory_iterator(examples_folder / folder))
       if (entry.path().extension() == ".toml") files.emplace(kind, entry.path());
   for (const char* name : {"logarithm.toml", "table.toml"})
-    files.emplace(FileKind::function, examples / "generators" / name);
+    files.emplace(FileKind::function, examples_folder / "generators" / name);
   for (const char* name : {"copy-camera.toml", "enlarger.toml"})
-    files.emplace(FileKind::inversor, examples / "generators" / name);
+    files.emplace(FileKind::inversor, examples_folder / "generators" / name);
   for (const char* name : {"loop.toml", "straight-line.toml", "five-poses.toml"})
-    files.emplace(FileKind::path, examples / "generators" / name);
-  files.emplace(FileKind::design, examples / "calibration/drawing-pantograph.json");
+    files.emplace(FileKind::path, examples_folder / "generators" / name);
+  files.emplace(FileKind::design, examples_folder / "calibration/drawing-pantograph.json");
   files.emplace(FileKind::drawing, fs::path(KEMPE_SOURCE_DIR) / "docs/pictures/letter.svg");
   return files;
 }
@@ -55,7 +55,7 @@ std::optional<InputError> said_by(FileKind reader, const std::string& text) {
     case FileKind::function: return error(read_function_spec(text, "f"));
     case FileKind::inversor: return error(read_inversor_spec(text, "f"));
     case FileKind::path: return error(read_path_spec(text, "f"));
-    default: return error(read_spec(text, "f", examples));
+    default: return error(read_spec(text, "f", examples_folder));
   }
 }
 

@@ -12,7 +12,7 @@
 namespace kempe {
 namespace {
 
-const std::string task = "[copy]\nscale = 2\n[region]\ncircle_mm = {centre = [66, 0], radius = 4}\n";
+const std::string circle_task = "[copy]\nscale = 2\n[region]\ncircle_mm = {centre = [66, 0], radius = 4}\n";
 
 TEST(Hardware, IsWhatTheSpecCanName) {
   const auto words = words_of(*find_spec_key("links", "hardware"));
@@ -79,8 +79,9 @@ TEST(Hardware, LengthsAreTheNextThatIsMade) {
 }
 
 TEST(Hardware, GivesThePinAndTheHoles) {
-  const auto spec = read_spec(task + "[links]\nwidth_mm = 30\nthickness_mm = 8\nhardware = \"608 bearing\"\n",
-                              "spec.toml", "");
+  const auto spec =
+      read_spec(circle_task + "[links]\nwidth_mm = 30\nthickness_mm = 8\nhardware = \"608 bearing\"\n",
+                "spec.toml", "");
   ASSERT_TRUE(spec) << spec.error().message();
   EXPECT_EQ(spec->links.style.pin_diameter, 8);
   EXPECT_EQ(hole_diameter(spec->links.style, spec->links.hardware, Joint::A, spec->cutting), 22);
@@ -100,7 +101,7 @@ TEST(Hardware, MayDifferFromJointToJoint) {
   for (const std::string hardware :
        {"hardware = {default = \"M6 bolt\", V = \"608 bearing\", C = \"4 mm dowel\"}\n",
         "[links.hardware]\ndefault = \"M6 bolt\"\nV = \"608 bearing\"\nC = \"4 mm dowel\"\n"}) {
-    const auto spec = read_spec(task + links + hardware, "spec.toml", "");
+    const auto spec = read_spec(circle_task + links + hardware, "spec.toml", "");
     ASSERT_TRUE(spec) << spec.error().message();
     const auto again = check_spec(*spec);
     ASSERT_TRUE(again) << again.error().message();
@@ -126,7 +127,7 @@ TEST(Hardware, MayDifferFromJointToJoint) {
 /// Plain pins beside bought ones are as thick as the thickest of these, or thicker.
 TEST(Hardware, LeavesOtherJointsPlain) {
   const auto pins = [](const std::string& links) {
-    const auto spec = read_spec(task + "[links]\n" + links, "spec.toml", "");
+    const auto spec = read_spec(circle_task + "[links]\n" + links, "spec.toml", "");
     EXPECT_TRUE(spec) << spec.error().message();
     const LinkSpec& of = spec->links;
     return std::pair(pin_at(of.style, of.hardware, Joint::A), pin_at(of.style, of.hardware, Joint::B));
@@ -137,7 +138,7 @@ TEST(Hardware, LeavesOtherJointsPlain) {
 }
 
 TEST(Hardware, ASpecInAProgramTakesThePin) {
-  Spec spec = *read_spec(task, "spec.toml", "");
+  Spec spec = *read_spec(circle_task, "spec.toml", "");
   spec.links.hardware = "M6 shoulder bolt";
   const auto checked = check_spec(spec);
   ASSERT_TRUE(checked) << checked.error().message();
@@ -146,7 +147,7 @@ TEST(Hardware, ASpecInAProgramTakesThePin) {
 
 TEST(Hardware, ThatDoesNotGoWithTheLinksIsRefused) {
   const auto refused = [](const std::string& links, const std::string& key) {
-    const auto spec = read_spec(task + "[links]\n" + links, "spec.toml", "");
+    const auto spec = read_spec(circle_task + "[links]\n" + links, "spec.toml", "");
     ASSERT_FALSE(spec) << links;
     EXPECT_EQ(spec.error().key, key);
     EXPECT_GT(spec.error().line, 5);
@@ -168,7 +169,7 @@ TEST(Hardware, ThatDoesNotGoWithTheLinksIsRefused) {
 
 TEST(Process, GivesItsUsualFitUnlessAnotherIsGiven) {
   const auto fit = [](const std::string& cutting) {
-    return read_spec(task + "[cutting]\n" + cutting, "", "")->cutting.hole_fit;
+    return read_spec(circle_task + "[cutting]\n" + cutting, "", "")->cutting.hole_fit;
   };
   EXPECT_EQ(fit("kerf_mm = 0.1\n"), 0);
   EXPECT_EQ(fit("process = \"laser\"\n"), 0.1);
@@ -176,11 +177,11 @@ TEST(Process, GivesItsUsualFitUnlessAnotherIsGiven) {
   EXPECT_EQ(fit("process = \"print\"\n"), 0.3);
   EXPECT_EQ(fit("process = \"drill\"\n"), 0.1);
   EXPECT_EQ(fit("process = \"print\"\nhole_fit_mm = 0\n"), 0);
-  EXPECT_FALSE(read_spec(task + "[cutting]\nprocess = \"saw\"\n", "", ""));
+  EXPECT_FALSE(read_spec(circle_task + "[cutting]\nprocess = \"saw\"\n", "", ""));
 }
 
 TEST(LongestStrip, LeavesJointsTheStripLessTheWidth) {
-  const auto spec = [](const std::string& more) { return read_spec(task + more, "spec.toml", ""); };
+  const auto spec = [](const std::string& more) { return read_spec(circle_task + more, "spec.toml", ""); };
   EXPECT_EQ(largest_joint_distance(*spec("")), 400);
   EXPECT_EQ(largest_joint_distance(*spec("[limits]\nlongest_strip_mm = 300\n")), 288);
   EXPECT_EQ(largest_joint_distance(*spec("[limits]\nlongest_strip_mm = 500\n")), 400);

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-Ring box(double x, double y, double size) {
+Ring square_ring(double x, double y, double size) {
   return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
 }
 Ring reversed(Ring ring) {
@@ -24,8 +24,9 @@ Ring reversed(Ring ring) {
 TEST(AssembleRegion, TurnsRingsTheRightWay) {
   for (const bool flip_outer : {false, true}) {
     for (const bool flip_hole : {false, true}) {
-      const auto region = assemble_region({flip_outer ? reversed(box(0, 0, 9)) : box(0, 0, 9)},
-                                          {flip_hole ? reversed(box(2, 2, 3)) : box(2, 2, 3)});
+      const auto region =
+          assemble_region({flip_outer ? reversed(square_ring(0, 0, 9)) : square_ring(0, 0, 9)},
+                          {flip_hole ? reversed(square_ring(2, 2, 3)) : square_ring(2, 2, 3)});
       ASSERT_TRUE(region);
       EXPECT_GT(signed_area(region->polygons[0].outer), 0);
       EXPECT_LT(signed_area(region->polygons[0].holes.at(0)), 0);
@@ -35,8 +36,8 @@ TEST(AssembleRegion, TurnsRingsTheRightWay) {
 }
 
 TEST(AssembleRegion, GivesEachHoleToThePolygonAroundIt) {
-  const auto region =
-      assemble_region({box(0, 0, 9), box(20, 0, 9), box(3, 3, 1)}, {box(22, 2, 2), box(2, 2, 4)});
+  const auto region = assemble_region({square_ring(0, 0, 9), square_ring(20, 0, 9), square_ring(3, 3, 1)},
+                                      {square_ring(22, 2, 2), square_ring(2, 2, 4)});
   ASSERT_TRUE(region) << region.error().found;
   EXPECT_EQ(region->polygons[0].holes.size(), 1u);
   EXPECT_EQ(region->polygons[1].holes.size(), 1u);
@@ -70,12 +71,12 @@ TEST(AssembleRegion, RefusesWhatIsNoRegionAndSaysWhy) {
       {{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}},
        {},
        "edge 1 from [0, 0] to [2, 2] meets edge 3 from [2, 0] to [0, 2]"},
-      {{box(0, 0, 4), box(3, 3, 4)}, {}, "polygon 1 and polygon 2 cross or touch"},
-      {{box(0, 0, 4), box(4, 0, 4)}, {}, "polygon 1 and polygon 2 cross or touch"},
-      {{box(0, 0, 4), box(1, 1, 1)}, {}, "polygon 2 lies inside polygon 1"},
-      {{box(0, 0, 4)}, {box(7, 7, 1)}, "hole 1 lies outside every polygon"},
-      {{box(0, 0, 9)}, {box(1, 1, 5), box(2, 2, 2)}, "hole 2 lies inside hole 1"},
-      {{box(0, 0, 9)}, {box(0, 0, 9)}, "cross or touch"},
+      {{square_ring(0, 0, 4), square_ring(3, 3, 4)}, {}, "polygon 1 and polygon 2 cross or touch"},
+      {{square_ring(0, 0, 4), square_ring(4, 0, 4)}, {}, "polygon 1 and polygon 2 cross or touch"},
+      {{square_ring(0, 0, 4), square_ring(1, 1, 1)}, {}, "polygon 2 lies inside polygon 1"},
+      {{square_ring(0, 0, 4)}, {square_ring(7, 7, 1)}, "hole 1 lies outside every polygon"},
+      {{square_ring(0, 0, 9)}, {square_ring(1, 1, 5), square_ring(2, 2, 2)}, "hole 2 lies inside hole 1"},
+      {{square_ring(0, 0, 9)}, {square_ring(0, 0, 9)}, "cross or touch"},
   };
   for (const Refused& refused : cases) {
     const auto region = assemble_region(refused.outers, refused.holes);

@@ -79,7 +79,7 @@ std::vector<FoundSolid> solids_of(const TopoDS_Shape& shape, double hole_radius)
   return found;
 }
 
-std::vector<Design> designs() {
+std::vector<Design> assembled_designs() {
   std::vector<Design> list{plagiograph()};
   list.push_back(sample_design(2.5, Grounding::tracer, 90, 70, 1, PlateStyle::bent, {20, -10}));
   list.push_back(
@@ -91,7 +91,7 @@ TEST(StepAssembly, ReadAgainHasTheLinksVolumesAndHoles) {
   CuttingSpec cutting;
   cutting.hole_fit = 0.1;  // so that a hole is no pin
   cutting.kerf = 0.3;      // which finished links do not have
-  for (const Design& design : designs()) {
+  for (const Design& design : assembled_designs()) {
     const auto text = step_assembly(design, cutting);
     ASSERT_TRUE(text) << text.error();
     const Pose pose = assembly_pose(design);

@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-DrawnStroke square(const Point& at, double side) {
+DrawnStroke drawn_square(const Point& at, double side) {
   return {{at, at + Point(side, 0), at + Point(side, side), at + Point(0, side)}, true};
 }
 
@@ -42,14 +42,15 @@ TEST(DrawingCover, HullHoldsEveryPointAndIsConvex) {
 }
 
 TEST(DrawingCover, OutlineFollowsTheEvenOddRule) {
-  const Region ring = covered({square({0, 0}, 10), square({2, 2}, 6), square({4, 4}, 2)}, Cover::outline);
+  const Region ring =
+      covered({drawn_square({0, 0}, 10), drawn_square({2, 2}, 6), drawn_square({4, 4}, 2)}, Cover::outline);
   EXPECT_NEAR(area(ring), 100 - 36 + 4, 1e-9);
   EXPECT_FALSE(contains(ring, {3, 3}));
   EXPECT_TRUE(contains(ring, {5, 5}));
 }
 
 TEST(DrawingCover, OutlinesThatMeetCoverAllThatAnyEncloses) {
-  EXPECT_NEAR(area(covered({square({0, 0}, 10), square({5, 5}, 10)}, Cover::outline)), 175, 1e-9);
+  EXPECT_NEAR(area(covered({drawn_square({0, 0}, 10), drawn_square({5, 5}, 10)}, Cover::outline)), 175, 1e-9);
   const DrawnStroke bow{{{0, 0}, {10, 10}, {10, 0}, {0, 10}}, true};
   EXPECT_NEAR(area(covered({bow}, Cover::outline)), 50, 1e-4);
 }
@@ -82,7 +83,7 @@ TEST(DrawingCover, SaysWhatIsMissing) {
   };
   EXPECT_THAT(refused({}, Cover::hull), HasSubstr("without lines (2 texts)"));
   EXPECT_THAT(refused({{{{0, 0}, {1, 1}}}}, Cover::outline), HasSubstr("closed outlines"));
-  EXPECT_THAT(refused({square({0, 0}, 1)}, Cover::strokes), HasSubstr("margin_mm above 0"));
+  EXPECT_THAT(refused({drawn_square({0, 0}, 1)}, Cover::strokes), HasSubstr("margin_mm above 0"));
 }
 
 TEST(StrokeJoining, LeavesCrossroadsAlone) {

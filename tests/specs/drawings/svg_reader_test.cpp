@@ -138,7 +138,7 @@ TEST(SvgReader, DrawsAllShapes) {
 }
 
 /// Distance from a point to a polyline, the slow way.
-double distance_to(const Stroke& line, const Point& p) {
+double distance_to_stroke(const Stroke& line, const Point& p) {
   double nearest = HUGE_VAL;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const Point way = line[i + 1] - line[i];
@@ -171,8 +171,8 @@ TEST(SvgReader, KeepsTheToleranceOnRandomCurves) {
       const double u = 1 - t;
       const Point on_cubic =
           u * u * u * p[0] + 3 * u * u * t * p[1] + 3 * u * t * t * p[2] + t * t * t * p[3];
-      EXPECT_LE(distance_to(cubic_line, map * on_cubic), tolerance * (1 + 1e-6));
-      EXPECT_LE(distance_to(ellipse_line, map * on_ellipse(from + t * sweep)), tolerance * (1 + 1e-6));
+      EXPECT_LE(distance_to_stroke(cubic_line, map * on_cubic), tolerance * (1 + 1e-6));
+      EXPECT_LE(distance_to_stroke(ellipse_line, map * on_ellipse(from + t * sweep)), tolerance * (1 + 1e-6));
     }
   }
 }

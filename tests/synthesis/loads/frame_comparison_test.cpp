@@ -30,7 +30,7 @@ Complex plate_shape(Complex k, Grounding grounding) {
   return grounding == Grounding::tracer ? 1.0 - k : 1.0 - 1.0 / k;
 }
 
-LoadedCase random_case(Random& random) {
+LoadedCase random_frame_case(Random& random) {
   LoadedCase one;
   const int kind = random.below(3);
   const double rotation = kind == 0 ? 0 : kind == 1 ? pi : random.uniform(-pi, pi);
@@ -51,7 +51,7 @@ LoadedCase random_case(Random& random) {
   return one;
 }
 
-FrameTask frame_of(const LoadedCase& one) {
+FrameTask frame_task_of(const LoadedCase& one) {
   const Complex s = plate_shape(one.k, one.grounding), p = one.lengths.VA,
                 q = std::polar(one.lengths.VB, one.opening);
   FrameTask task;
@@ -104,12 +104,12 @@ TEST(LoadsInThePlane, AreThoseOfAFrame) {
     EXPECT_NEAR(one, other, 1e-6 * scale) << what;
   };
   for (int i = 0; i < samples(3000); ++i) {
-    const LoadedCase one = random_case(random);
+    const LoadedCase one = random_frame_case(random);
     // Towards the change points all forces grow without bound; at the end of its reach the frame is a mechanism inside.
     const double from_reach = one.opening - std::arg(plate_shape(one.k, one.grounding));
     if (std::min(std::abs(std::sin(one.opening)), std::abs(std::sin(from_reach))) < 0.02) continue;
-    const FrameAnswer frame = solve_frame(frame_of(one));
-    if (imbalance_of(frame, frame_of(one)) >
+    const FrameAnswer frame = solve_frame(frame_task_of(one));
+    if (imbalance_of(frame, frame_task_of(one)) >
         1e-8) {  // the frame's own rounding: arms of 1:100, slender as a wire
       ++lost;
       continue;

@@ -17,13 +17,13 @@
 namespace kempe {
 namespace {
 
-struct Instrument {
+struct LayeredCase {
   CopyingLinkage linkage;
   SagConditions conditions;
 };
 
 /// Of any grounding, straight or bent, in three layers.
-Instrument random_instrument(Chance& chance) {
+LayeredCase random_instrument(Chance& chance) {
   while (true) {
     const double rotation =
         chance.share() < 0.3 ? (chance.share() < 0.5 ? 0 : pi) : chance.uniform(radians(20), radians(160));
@@ -56,7 +56,7 @@ Instrument random_instrument(Chance& chance) {
 
 double down(const SagConditions& made) { return standard_gravity * std::cos(made.tilt); }
 
-SpaceFrameParts parts_of(const Instrument& instrument) {
+SpaceFrameParts parts_of(const LayeredCase& instrument) {
   const SagConditions& made = instrument.conditions;
   return {.straight = is_straight(instrument.linkage.shape()),
           .style = made.style,
@@ -70,7 +70,7 @@ SpaceFrameParts parts_of(const Instrument& instrument) {
 }
 
 /// The frame on its table: how the weights alone would leave it is taken from the sag, which is tested by itself.
-FrameTable table_of(const Instrument& instrument, double opening) {
+FrameTable table_of(const LayeredCase& instrument, double opening) {
   const CopyingLinkage& linkage = instrument.linkage;
   SagConditions free = instrument.conditions;
   free.tracer_rests = free.pen_rests = false;
@@ -88,14 +88,14 @@ FrameTable held_down(FrameTable table) {
 }
 
 /// A frame with bar VA along x.
-SpaceFrameResponse frame_of(const Instrument& instrument, double opening) {
+SpaceFrameResponse frame_of(const LayeredCase& instrument, double opening) {
   const CopyingLinkage& linkage = instrument.linkage;
   const Point VA = linkage.pose_at(opening, 0).A - linkage.pose_at(opening, 0).V;
   return space_frame_response(linkage.pose_at(opening, -std::atan2(VA.y(), VA.x())),
                               roles_of(linkage.grounding()), parts_of(instrument));
 }
 
-LayeredErrorProfile profile_of(const Instrument& instrument, double force) {
+LayeredErrorProfile profile_of(const LayeredCase& instrument, double force) {
   return {instrument.linkage.k(), instrument.linkage.grounding(), instrument.conditions, force};
 }
 
@@ -105,7 +105,7 @@ TEST(LayerOffsets, AgreeWithAFrameInSpace) {
   int lifted = 0;
   for (int i = 0; i < test::samples(300); ++i) {
     SCOPED_TRACE(i);
-    Instrument instrument = random_instrument(chance);
+    LayeredCase instrument = random_instrument(chance);
     auto& [linkage, conditions] = instrument;
     if (i % 2 == 0) conditions.tracer_rests = conditions.pen_rests = true;
     const LinkStyle& style = conditions.style;
@@ -156,7 +156,7 @@ TEST(LayerOffsets, AreTheMostThatTheFrameSeesOverOpenings) {
   int lifted = 0;
   for (int i = 0; i < test::samples(60); ++i) {
     SCOPED_TRACE(i);
-    Instrument instrument = random_instrument(chance);
+    LayeredCase instrument = random_instrument(chance);
     auto& [linkage, conditions] = instrument;
     conditions.tracer_rests = i % 3 != 0;
     conditions.pen_rests = i % 3 != 1;
@@ -209,7 +209,7 @@ TEST(LayerOffsets, StressLinksAsAFrameInSpaceDoes) {
   int beyond_plane = 0;
   for (int i = 0; i < test::samples(400); ++i) {
     SCOPED_TRACE(i);
-    Instrument instrument = random_instrument(chance);
+    LayeredCase instrument = random_instrument(chance);
     auto& [linkage, conditions] = instrument;
     if (i % 4 == 0) conditions.tracer_rests = conditions.pen_rests = true;
     if (i % 3 == 0) conditions.style.plate = PlateStyle::triangle;

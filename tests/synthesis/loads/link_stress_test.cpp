@@ -181,7 +181,7 @@ double most_seen(const SagCase& one, double force, double hole) {
   return most;
 }
 
-LayeredErrorProfile profile_of(const SagCase& one, double force) {
+LayeredErrorProfile profile_of_sag(const SagCase& one, double force) {
   return {one.k, one.grounding, one.conditions, force};
 }
 
@@ -193,7 +193,7 @@ TEST(LinkStress, IsThatOfTheForcesInTheSections) {
     const SagCase one = random_case(random);
     const double force = std::exp(test::uniform(random, -1, 5));
     const double hole = test::uniform(random, 0.1, 0.8) * one.conditions.style.width;
-    const double stated = profile_of(one, force).stresses({one.VA, one.VB}, one.opening, hole).largest(),
+    const double stated = profile_of_sag(one, force).stresses({one.VA, one.VB}, one.opening, hole).largest(),
                  seen = most_seen(one, force, hole);
     missed = std::max(missed, seen / stated - 1);
     beyond = std::max(beyond, stated / seen - 1);
@@ -245,8 +245,8 @@ TEST(LinkStress, DoublesWithTheLoadWhereNothingHasWeight) {
     SagCase one = random_case(random);
     one.conditions.density = one.conditions.pen_mass = one.conditions.tracer_mass = 0;
     const OpeningInterval openings{one.opening, one.opening + 0.01};
-    const auto once = profile_of(one, 7).stresses_over({one.VA, one.VB}, openings, 2),
-               twice = profile_of(one, 14).stresses_over({one.VA, one.VB}, openings, 2);
+    const auto once = profile_of_sag(one, 7).stresses_over({one.VA, one.VB}, openings, 2),
+               twice = profile_of_sag(one, 14).stresses_over({one.VA, one.VB}, openings, 2);
     ASSERT_TRUE(once && twice);
     for (const auto link : {&LinkStresses::VA, &LinkStresses::VB, &LinkStresses::ACX, &LinkStresses::BCY})
       EXPECT_NEAR((*twice).*link, 2 * (*once).*link, 1e-9 * (*twice).*link);
@@ -256,8 +256,8 @@ TEST(LinkStress, DoublesWithTheLoadWhereNothingHasWeight) {
 TEST(LinkStress, IsInfiniteWhereAHoleLeavesNothing) {
   std::mt19937_64 random(43);
   const SagCase one = random_case(random);
-  const auto none = profile_of(one, 1).stresses_over({one.VA, one.VB}, {one.opening, one.opening},
-                                                     one.conditions.style.width);
+  const auto none = profile_of_sag(one, 1).stresses_over({one.VA, one.VB}, {one.opening, one.opening},
+                                                         one.conditions.style.width);
   ASSERT_TRUE(none);
   EXPECT_EQ(none->largest(), HUGE_VAL);
 }

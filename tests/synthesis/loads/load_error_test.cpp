@@ -4,26 +4,25 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/chance.hpp"
-#include "kinematics/assembly_mode.hpp"
 #include "synthesis/loads/pin_compliance.hpp"
 #include "synthesis/loads/strength.hpp"
+#include "tests/synthesis/loads/any_linkage.hpp"
 
 namespace kempe {
 namespace {
 
-const Material steel{"steel", 200000, 7850, 235};
+using namespace any_linkage;
 
 LinkStyle section(double width, double thickness) { return {.width = width, .thickness = thickness}; }
 
-struct Golden {
+struct GoldenError {
   Complex k;
   Grounding grounding;
   double VA, VB, width, thickness, force, opening_deg, worst, least, pin_force;
 };
 
 /// Worst and least deflection at the pen, mm; worst force at pins A and B for each newton.
-const Golden golden[] = {
+const GoldenError golden[] = {
     {{0, 1.4}, Grounding::tracer, 56.786, 25.807, 6, 2, 10, -150, 0.68835, 0.01443, 2.8},
     {{0, 1.4}, Grounding::tracer, 56.786, 25.807, 6, 2, 10, -120, 0.68675, 0.01132, 1.6166},
     {{0, 1.4}, Grounding::tracer, 56.786, 25.807, 6, 2, 10, -84.462, 0.69285, 0.00413, 1.4066},
@@ -39,7 +38,7 @@ const Golden golden[] = {
 };
 
 TEST(LoadError, IsThatOfTheGoldenValues) {
-  for (const Golden& one : golden) {
+  for (const GoldenError& one : golden) {
     const LoadErrorProfile profile(one.k, one.grounding, section(one.width, one.thickness), steel, one.force);
     const LoadErrorAt error = profile.at({one.VA, one.VB}, radians(one.opening_deg));
     const PinForces pins = pin_forces(one.k, one.grounding, radians(one.opening_deg));
@@ -49,12 +48,6 @@ TEST(LoadError, IsThatOfTheGoldenValues) {
     EXPECT_NEAR(pins.A, one.pin_force, 0.6e-4) << one.opening_deg;
     EXPECT_NEAR(pins.B, one.pin_force, 0.6e-4) << one.opening_deg;
   }
-}
-
-bool one_in(Chance& chance, int n) { return chance.share() * n < 1; }
-
-Grounding any_grounding(Chance& chance) {
-  return all_groundings[static_cast<std::size_t>(3 * chance.share())];
 }
 
 /// A linkage of any kind at an opening away from its change points.
@@ -69,7 +62,7 @@ struct Case {
   }
 };
 
-Case random_case(Chance& chance) {
+Case random_pushed(Chance& chance) {
   for (;;) {
     const double rotation = one_in(chance, 3) ? (one_in(chance, 2) ? 0 : pi) : chance.uniform(-pi, pi);
     const Complex k = copy_ratio(std::exp(chance.uniform(-1.4, 1.4)), rotation);
@@ -86,7 +79,7 @@ Case random_case(Chance& chance) {
 TEST(LoadError, GrowsWithTheLoad) {
   Chance chance(1);
   for (int i = 0; i < 300; ++i) {
-    Case one = random_case(chance);
+    Case one = random_pushed(chance);
     const LoadErrorAt before = one.profile().at(one.lengths, one.opening);
     one.force *= 2;
     const LoadErrorAt after = one.profile().at(one.lengths, one.opening);
@@ -99,7 +92,7 @@ TEST(LoadError, GrowsWithTheLoad) {
 TEST(LoadError, GrowsWithTheCubeOfTheLengths) {
   Chance chance(2);
   for (int i = 0; i < 300; ++i) {
-    Case one = random_case(chance);
+    Case one = random_pushed(chance);
     const double c = chance.uniform(1.5, 4);
     const auto at = [&](double share) {
       return one.profile().at({share * one.lengths.VA, share * one.lengths.VB}, one.opening).worst;
@@ -115,7 +108,7 @@ TEST(LoadError, GrowsWithTheCubeOfTheLengths) {
 TEST(LoadError, FallsWithTheSizeOfTheWhole) {
   Chance chance(3);
   for (int i = 0; i < 300; ++i) {
-    Case one = random_case(chance);
+    Case one = random_pushed(chance);
     const double before = one.profile().at(one.lengths, one.opening).worst, c = chance.uniform(0.2, 5);
     one.lengths = {c * one.lengths.VA, c * one.lengths.VB};
     one.style.width *= c;
@@ -127,7 +120,7 @@ TEST(LoadError, FallsWithTheSizeOfTheWhole) {
 TEST(LoadError, HasExactDerivatives) {
   Chance chance(4);
   for (int i = 0; i < 300; ++i) {
-    const Case one = random_case(chance);
+    const Case one = random_pushed(chance);
     const LoadErrorProfile profile = one.profile({1e-6, 2e-6, 3e-6, 4e-6, 5e-6});
     const auto at = [&](const Eigen::Vector3d& x) {
       return profile.worst({one.lengths.VA * std::exp(x[0]), one.lengths.VB * std::exp(x[1])},
@@ -157,7 +150,7 @@ TEST(LoadError, HasExactDerivatives) {
 TEST(LinkForces, DoNoWorkOnTheWay) {
   Chance chance(5);
   for (int i = 0; i < 300; ++i) {
-    const Case one = random_case(chance);
+    const Case one = random_pushed(chance);
     const Complex speed = std::polar(1.0, chance.uniform(-pi, pi)),
                   pen = std::polar(2.0, chance.uniform(-pi, pi));
     const Complex hand = -std::conj(one.k) * pen, pole = (std::conj(one.k) - 1.0) * pen;
@@ -172,7 +165,7 @@ TEST(LinkForces, DoNoWorkOnTheWay) {
 TEST(LinkForces, BalanceEachPlate) {
   Chance chance(6);
   for (int i = 0; i < 300; ++i) {
-    const Case one = random_case(chance);
+    const Case one = random_pushed(chance);
     const Complex s = shape_of(one.k, one.grounding);
     const LinkForces forces = link_forces(s, one.opening);
     const double scale = 1 + std::abs(s) + std::abs(forces.bar_VA);
@@ -198,7 +191,7 @@ TEST(LoadError, TakesAStraightPlateAsOneBeam) {
 TEST(LoadError, OverAnIntervalIsThatOfItsWorstOpening) {
   Chance chance(7);
   for (int i = 0; i < 200; ++i) {
-    const Case one = random_case(chance);
+    const Case one = random_pushed(chance);
     const double side = one.opening > 0 ? 0 : -pi;
     const OpeningInterval openings{side + chance.uniform(0.1, 1), side + chance.uniform(1.5, pi - 0.1)};
     const LoadErrorProfile::Range range = one.profile().over(one.lengths, openings);
@@ -219,7 +212,7 @@ TEST(LoadError, OverAnIntervalIsThatOfItsWorstOpening) {
 TEST(LoadError, AddsWhatPinsGive) {
   Chance chance(8);
   for (int i = 0; i < 100; ++i) {
-    const Case one = random_case(chance);
+    const Case one = random_pushed(chance);
     const double c = 1e-3, rigid = one.profile().at(one.lengths, one.opening).worst;
     const PinForces pins = pin_forces(one.k, one.grounding, one.opening);
     const double by_A = one.profile({.A = c}).at(one.lengths, one.opening).worst - rigid;

@@ -16,7 +16,7 @@ namespace {
 using namespace free_links;
 
 const LinkStyle style{.width = 15, .pin_diameter = 6, .thickness = 5};
-const Material steel{"steel", 200e3, 7850, 235};
+const Material tool_steel{"steel", 200e3, 7850, 235};
 
 /// A joint and the force there.
 struct Pushed {
@@ -25,7 +25,8 @@ struct Pushed {
 };
 
 /// Where three joints of a plate are when the arms from the middle one bend; that one stays.
-std::array<Complex, 3> bent(const std::array<Pushed, 3>& joints, const Pose& pose, std::size_t middle) {
+std::array<Complex, 3> bent_joints(const std::array<Pushed, 3>& joints, const Pose& pose,
+                                   std::size_t middle) {
   std::array<Complex, 3> places{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Complex at = as_complex(pose[joints[i].joint]), arm = at - as_complex(pose[joints[middle].joint]);
@@ -33,9 +34,9 @@ std::array<Complex, 3> bent(const std::array<Pushed, 3>& joints, const Pose& pos
     if (i == middle) continue;
     const double length = std::abs(arm);
     const Complex turned = joints[i].force * std::conj(arm) / length;
-    const double along = turned.real() * length / (steel.E * style.width * style.thickness),
+    const double along = turned.real() * length / (tool_steel.E * style.width * style.thickness),
                  across = turned.imag() * std::pow(length, 3) /
-                          (3 * steel.E * style.thickness * std::pow(style.width, 3) / 12);
+                          (3 * tool_steel.E * style.thickness * std::pow(style.width, 3) / 12);
     places[i] += Complex(along, across) * arm / length;
   }
   return places;
@@ -51,7 +52,7 @@ std::size_t middle_of(const std::array<Pushed, 3>& joints, const Pose& pose) {
 
 double stretch(const Pose& pose, Joint from, Joint to, Complex force_at_end) {
   const Complex bar = as_complex(pose[to] - pose[from]);
-  return (force_at_end * std::conj(bar)).real() / (steel.E * style.width * style.thickness);
+  return (force_at_end * std::conj(bar)).real() / (tool_steel.E * style.width * style.thickness);
 }
 
 /// The measures of an instrument whose links are bent by a force on the pen.
@@ -73,7 +74,7 @@ Measures bent_measures(const CopyingLinkage& linkage, const Pose& pose, const Po
     const std::array<Pushed, 3> joints{
         {{corner, force_on(link, corner)}, {Joint::C, force_on(link, Joint::C)}, {end, force_on(link, end)}}};
     const std::size_t middle = middle_of(joints, pose);
-    const auto places = bent(joints, pose, middle);
+    const auto places = bent_joints(joints, pose, middle);
     const Complex to_end = places[2] - places[1];
     return std::pair(std::abs(to_end), (places[0] - places[1]) * std::conj(to_end) / std::abs(to_end));
   };
@@ -115,13 +116,13 @@ void make_wrong(Measures& measures, const std::function<double()>& error) {
   at(Measure::offset_B) = B.imag();
 }
 
-struct LoadedCase {
+struct PushedCase {
   CopyingLinkage linkage;
   double opening;
   Pose pose;
   Point heading;
 };
-LoadedCase random_case(std::mt19937_64& random) {
+PushedCase random_loaded(std::mt19937_64& random) {
   const CopyingLinkage linkage = random_linkage(random);
   const OpeningInterval openings = shrink(linkage.assembly_mode().openings, 0.3);
   const double opening = openings.lower + uniform(random, 0, 1) * openings.width();
@@ -133,9 +134,9 @@ TEST(LoadedInstrument, GivesWayAsItsBentLinksClose) {
   std::mt19937_64 random(31);
   for (int i = 0; i < test::samples(300); ++i) {
     SCOPED_TRACE(i);
-    const auto [linkage, opening, pose, heading] = random_case(random);
+    const auto [linkage, opening, pose, heading] = random_loaded(random);
     const Load load{.pen_force = 0.1, .pen_mass = 0.02, .tilt = uniform(random, 0, 1.5)};
-    const Material weightless{"", steel.E, 0, 0};  // of the links' own weight: plane_weight_test.cpp
+    const Material weightless{"", tool_steel.E, 0, 0};  // of the links' own weight: plane_weight_test.cpp
     const auto work = HandWork(linkage, style, {}, weightless, load).at(pose, heading);
     ASSERT_TRUE(work);
     const Point tracer = pose[linkage.tracer_joint()];
@@ -153,14 +154,14 @@ TEST(LoadedInstrument, PinsGiveByTheForcesThatTheyBear) {
   std::mt19937_64 random(33);
   for (int i = 0; i < test::samples(100); ++i) {
     SCOPED_TRACE(i);
-    const LoadedCase one = random_case(random);
+    const PushedCase one = random_loaded(random);
     const CopyingLinkage& linkage = one.linkage;
     const auto& pose = one.pose;
     const Point heading = one.heading;
     const PinCompliance pins{1e-3, 2e-3, 3e-3, 4e-3, 5e-3};
     const Load load{.pen_force = 10};
-    const auto rigid = HandWork(linkage, style, {}, steel, load).at(pose, heading);
-    const auto soft = HandWork(linkage, style, {}, steel, load, pins).at(pose, heading);
+    const auto rigid = HandWork(linkage, style, {}, tool_steel, load).at(pose, heading);
+    const auto soft = HandWork(linkage, style, {}, tool_steel, load, pins).at(pose, heading);
     ASSERT_TRUE(rigid && soft);
     const bool at_V = linkage.pole_joint() == Joint::V;
     const Balance loaded = FreeLinks(linkage, pose, rigid->pen_force).solve({});
@@ -181,15 +182,15 @@ TEST(LoadedInstrument, MadeAndLoadedItStaysWithinTheBudget) {
   std::mt19937_64 random(32);
   for (int i = 0; i < test::samples(300); ++i) {
     SCOPED_TRACE(i);
-    const auto [linkage, opening, pose, heading] = random_case(random);
+    const auto [linkage, opening, pose, heading] = random_loaded(random);
     if (is_flat(linkage.shape())) continue;  // a flat plate is toleranced by other lengths
     const double off = 0.01;
-    const auto work = HandWork(linkage, style, {}, steel, {.pen_force = 20}).at(pose, heading);
+    const auto work = HandWork(linkage, style, {}, tool_steel, {.pen_force = 20}).at(pose, heading);
     ASSERT_TRUE(work);
     CopyTolerance tolerance;
     tolerance.length.fill(off);
     const double budget = copy_error_profile(linkage, tolerance).at(opening).worst +
-                          LoadErrorProfile(linkage.k(), linkage.grounding(), style, steel, 20)
+                          LoadErrorProfile(linkage.k(), linkage.grounding(), style, tool_steel, 20)
                               .at({linkage.VA(), linkage.VB()}, opening)
                               .worst;
     Measures measures = bent_measures(linkage, pose, work->pen_force);

@@ -3,22 +3,17 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/chance.hpp"
-#include "kinematics/assembly_mode.hpp"
+#include "tests/synthesis/loads/any_linkage.hpp"
 
 namespace kempe {
 namespace {
 
-bool one_in(Chance& chance, int n) { return chance.share() * n < 1; }
-
-Grounding any_grounding(Chance& chance) {
-  return all_groundings[static_cast<std::size_t>(3 * chance.share())];
-}
+using namespace any_linkage;
 
 Spec spec_of(PlateStyle plate) {
   Spec spec;
   spec.links.style = {.width = 12, .pin_diameter = 6, .thickness = 4, .plate = plate};
-  spec.material = Material{"steel", 200000, 7850, 235};
+  spec.material = steel;
   return spec;
 }
 

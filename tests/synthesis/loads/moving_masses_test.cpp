@@ -17,7 +17,7 @@ struct MassCase {
   MovingMasses masses;
 };
 
-MassCase random_case(std::mt19937_64& random) {
+MassCase random_masses(std::mt19937_64& random) {
   for (;;) {
     const double rotation = uniform(random, 0, 4) < 1 ? pi : uniform(random, -pi, pi);
     const Complex k = copy_ratio(std::exp(uniform(random, -1, 1)), rotation);
@@ -127,7 +127,7 @@ TEST(MovingMasses, TheHandHoldsTheSlopeOfThePotential) {
   std::mt19937_64 random(11);
   for (int i = 0; i < test::samples(40); ++i) {
     SCOPED_TRACE(i);
-    const MassCase one = random_case(random);
+    const MassCase one = random_masses(random);
     const Pose pose = random_pose(one.linkage, random);
     const double tilt = uniform(random, 0.1, pi / 2), step = 1e-3;
     const auto moments = mass_moments(one.linkage, mass_points(one.linkage, one.masses));
@@ -148,7 +148,7 @@ TEST(MovingMasses, CounterweightsBalanceEveryPose) {
   std::mt19937_64 random(12);
   for (int i = 0; i < test::samples(40); ++i) {
     SCOPED_TRACE(i);
-    const MassCase one = random_case(random);
+    const MassCase one = random_masses(random);
     const auto weights =
         counterweights(one.linkage, mass_moments(one.linkage, mass_points(one.linkage, one.masses)));
     EXPECT_GT(weights[0].mass + weights[1].mass, 0);
@@ -172,7 +172,7 @@ TEST(MovingMasses, SpringsBalanceALinkageWithItsPoleAtTheVertex) {
   std::mt19937_64 random(13);
   int found = 0;
   for (int i = 0; i < test::samples(60); ++i) {
-    const MassCase one = random_case(random);
+    const MassCase one = random_masses(random);
     const double tilt = uniform(random, 0.1, pi / 2);
     const auto springs =
         balance_springs(one.linkage, mass_moments(one.linkage, mass_points(one.linkage, one.masses)), tilt);
@@ -200,7 +200,7 @@ TEST(MovingMasses, TheMassFeltIsThatOfTheKineticEnergy) {
   std::mt19937_64 random(14);
   for (int i = 0; i < test::samples(30); ++i) {
     SCOPED_TRACE(i);
-    const MassCase one = random_case(random);
+    const MassCase one = random_masses(random);
     const Pose pose = random_pose(one.linkage, random);
     const auto felt = mass_felt(one.linkage, mass_points(one.linkage, one.masses), pose);
     ASSERT_TRUE(felt);

@@ -35,7 +35,7 @@ struct WeighedCase {
 };
 
 /// Of any grounding, straight, bent or with triangles, away from change points and dead points.
-WeighedCase random_case(Chance& chance) {
+WeighedCase random_weighed(Chance& chance) {
   for (;;) {
     const bool straight = chance.share() < 0.33;
     const double rotation =
@@ -68,7 +68,7 @@ TEST(PlaneWeight, AgreesWithThePlaneFrame) {
   double most = 0, moved = 0, pins = 0, stress = 0;
   for (int i = 0; i < test::samples(400); ++i) {
     SCOPED_TRACE(i);
-    const WeighedCase one = random_case(chance);
+    const WeighedCase one = random_weighed(chance);
     const Pose pose = one.linkage.pose_at(one.opening, chance.uniform(-pi, pi));
     const FrameUnderWeight frame = frame_under_weight(pose, roles_of(one.linkage.grounding()), one.straight(),
                                                       one.style, one.material, one.hole, one.pull());
@@ -105,7 +105,7 @@ TEST(PlaneWeight, LetsThePenOfATracedDrawingDownhill) {
   double apart = 0;
   for (int i = 0; i < test::samples(100); ++i) {
     SCOPED_TRACE(i);
-    const WeighedCase one = random_case(chance);
+    const WeighedCase one = random_weighed(chance);
     const Pose pose = one.linkage.pose_at(one.opening, chance.uniform(-pi, pi));
     const Material weightless{"", one.material.E, 0, 0};
     const Load load{.pen_force = 1, .tilt = one.tilt};
@@ -136,7 +136,7 @@ TEST(PlaneWeight, PinsHoldEveryPlateWhileTheHandDraws) {
   double level = 0, plates = 0;
   for (int i = 0; i < test::samples(400); ++i) {
     SCOPED_TRACE(i);
-    WeighedCase one = random_case(chance);
+    WeighedCase one = random_weighed(chance);
     one.style.plate = PlateStyle::bent;
     const Pose pose = one.linkage.pose_at(one.opening, chance.uniform(-pi, pi));
     const Point heading = as_point(std::polar(1.0, chance.uniform(-pi, pi)));
@@ -180,7 +180,7 @@ TEST(PlaneWeight, AgreesWithAFrameInSpaceWherePinsAndLayersGive) {
   const auto assignments = layer_assignments(3);
   for (int i = 0; i < test::samples(200); ++i) {
     SCOPED_TRACE(i);
-    WeighedCase one = random_case(chance);
+    WeighedCase one = random_weighed(chance);
     one.style.pin_diameter = chance.uniform(4, 9);
     const CopyingLinkage& linkage = one.linkage;
     const double opening = one.opening;
@@ -237,7 +237,7 @@ TEST(PlaneWeight, AgreesWithAFrameInSpaceWherePinsAndLayersGive) {
 TEST(PlaneWeight, IsTheMostOverAllTurns) {
   Chance chance(73);
   for (int i = 0; i < test::samples(50); ++i) {
-    const WeighedCase one = random_case(chance);
+    const WeighedCase one = random_weighed(chance);
     const Eigen::Matrix2d give = one.weight().give(one.lengths(), one.opening);
     double most = 0;
     for (int turn = 0; turn < 3600; ++turn)
@@ -253,7 +253,7 @@ TEST(PlaneWeight, TheHandHoldsTheSlopeOfThePotential) {
   Chance chance(74);
   for (int i = 0; i < test::samples(200); ++i) {
     SCOPED_TRACE(i);
-    WeighedCase one = random_case(chance);
+    WeighedCase one = random_weighed(chance);
     if (one.style.plate == PlateStyle::triangle) continue;
     const Pose pose = one.linkage.pose_at(one.opening, chance.uniform(-pi, pi));
     const auto points = mass_points(one.linkage, {one.style, one.material.density, 0, 0});
@@ -269,7 +269,7 @@ TEST(PlaneWeight, TheHandHoldsTheSlopeOfThePotential) {
 TEST(PlaneWeight, GrowsWithDensityAndWithTheSquareOfTheSize) {
   Chance chance(75);
   for (int i = 0; i < test::samples(100); ++i) {
-    const WeighedCase one = random_case(chance);
+    const WeighedCase one = random_weighed(chance);
     const double most = one.weight().most(one.lengths(), one.opening);
     WeighedCase denser = one;
     denser.material.density *= 2;
@@ -302,7 +302,7 @@ TEST(PlaneWeight, OfSlenderLinksGrowsWithTheFourthPowerOfTheLength) {
 
 TEST(PlaneWeight, IsNothingOnALevelTable) {
   Chance chance(76);
-  WeighedCase one = random_case(chance);
+  WeighedCase one = random_weighed(chance);
   one.tilt = 0;
   EXPECT_FALSE(one.weight().weighs());
   EXPECT_EQ(one.weight().most(one.lengths(), one.opening), 0);
@@ -313,7 +313,7 @@ TEST(PlaneWeight, IsNothingOnALevelTable) {
 TEST(PlaneWeight, IsTheSameInTheMirror) {
   Chance chance(77);
   for (int i = 0; i < test::samples(100); ++i) {
-    const WeighedCase one = random_case(chance);
+    const WeighedCase one = random_weighed(chance);
     const PlaneWeight mirrored(std::conj(one.linkage.k()), one.linkage.grounding(), one.style, one.material,
                                one.tilt);
     const double most = one.weight().most(one.lengths(), one.opening);

@@ -9,7 +9,7 @@
 namespace kempe {
 namespace {
 
-std::optional<FoundDesign> found_for(const Spec& spec, int rounds) {
+std::optional<FoundDesign> found_in_rounds(const Spec& spec, int rounds) {
   SearchOptions options;
   options.threads = 1;
   options.diagnose = false;
@@ -32,13 +32,13 @@ TEST(CornerSearch, TheLimitOnTheCopyErrorIsKeptBeyondTheFirstOrder) {
   for (int i = 0; i < test::samples(16); ++i) {
     Spec spec = dice.spec();
     spec.tolerance = Tolerance{.length = dice.uniform(0.2, 1.5), .play = dice.uniform(0, 0.3)};
-    const auto free = found_for(spec, 0);
+    const auto free = found_in_rounds(spec, 0);
     if (!free) continue;
     spec.limits.copy_error = dice.uniform(0.7, 1) * free->attained.copy_error;
-    const auto nominal = found_for(spec, 0);
+    const auto nominal = found_in_rounds(spec, 0);
     if (!nominal) continue;
     const double limit = *spec.limits.copy_error, worst = worst_instrument(spec, *nominal);
-    const auto design = found_for(spec, SearchBudgets{}.corner.rounds);
+    const auto design = found_in_rounds(spec, SearchBudgets{}.corner.rounds);
     ASSERT_TRUE(design) << i;
     EXPECT_LE(design->attained.copy_error, limit * (1 + 1e-9)) << i;
     ASSERT_EQ(design->proven_bound, nominal->proven_bound) << i;

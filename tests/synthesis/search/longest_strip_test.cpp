@@ -14,7 +14,7 @@
 namespace kempe {
 namespace {
 
-std::optional<FoundDesign> found_for(const Spec& spec) {
+std::optional<FoundDesign> found_of_strips(const Spec& spec) {
   const SearchOutcome outcome = synthesize(spec, {.diagnose = false});
   const auto* design = std::get_if<FoundDesign>(&outcome);
   return design ? std::optional(*design) : std::nullopt;
@@ -43,14 +43,14 @@ TEST(LongestStrip, IsKeptByTheOutlinesAndCostsWhatLongestDoes) {
   int shorter = 0;
   for (int i = 0; i < 40; ++i) {
     Spec spec = dice.spec();
-    const auto free = found_for(spec);
+    const auto free = found_of_strips(spec);
     if (!free) continue;
     const double attained = longest_outline(free->linkage, spec.links.style);
     Spec with_strip = spec, with_longest = spec;
     with_strip.limits.longest_strip = attained * dice.uniform(0.8, 1.1);
     with_longest.links.longest = *with_strip.limits.longest_strip - spec.links.style.width;
     if (with_longest.links.longest < spec.links.shortest) continue;
-    const auto kept = found_for(with_strip), same = found_for(with_longest);
+    const auto kept = found_of_strips(with_strip), same = found_of_strips(with_longest);
     ASSERT_EQ(kept.has_value(), same.has_value());
     if (!kept) continue;
     ++shorter;

@@ -20,7 +20,7 @@ Spec quarter_turn() {
   return spec;
 }
 
-std::optional<FoundDesign> found_for(const Spec& spec) {
+std::optional<FoundDesign> found_in_stock(const Spec& spec) {
   const SearchOutcome outcome = synthesize(spec, {.diagnose = false});
   const auto* design = std::get_if<FoundDesign>(&outcome);
   return design ? std::optional(*design) : std::nullopt;
@@ -42,7 +42,7 @@ TEST(StockLengthSearch, ARationalRatioKeepsItsExactCopyOnTheGrid) {
 TEST(StockLengthSearch, TheGridsDesignIsTheSmallestOfAll) {
   Spec spec = quarter_turn();
   spec.links.stock_lengths.grid = 5;
-  const auto found = found_for(spec);
+  const auto found = found_in_stock(spec);
   ASSERT_TRUE(found);
   EXPECT_LT(std::abs(found->linkage.k() - spec.copy.k()), 1e-12);
   for (const double length :
@@ -72,7 +72,7 @@ TEST(StockLengthSearch, AnIrrationalRatioIsStatedWithItsError) {
   spec.copy = Copy::of(std::sqrt(2.0), 0.6);
   spec.links.stock_lengths.grid = 5;
   spec.links.longest = 300;
-  const auto found = found_for(spec);
+  const auto found = found_in_stock(spec);
   ASSERT_TRUE(found);
   const LinkLengths lengths = found->linkage.lengths();
   for (const double length : {lengths.VA, lengths.VB, lengths.AX, lengths.BY})
@@ -92,11 +92,11 @@ TEST(StockLengthSearch, AnIrrationalRatioIsStatedWithItsError) {
 TEST(StockLengthSearch, AFineGridCostsNothing) {
   Spec spec = quarter_turn();
   spec.objective.groundings = {Grounding::pole};  // |s| = 1.4; that of the others is irrational
-  const auto free = found_for(spec);
+  const auto free = found_in_stock(spec);
   ASSERT_TRUE(free);
   for (const double grid : {1.0, 0.1, 0.01}) {
     spec.links.stock_lengths.grid = grid;
-    const auto found = found_for(spec);
+    const auto found = found_in_stock(spec);
     ASSERT_TRUE(found) << grid;
     EXPECT_GE(found->value, free->value * (1 - 1e-9));
     EXPECT_LT(found->value, free->value + 40 * grid) << grid;
@@ -111,11 +111,11 @@ TEST(StockLengthSearch, AnInexactRatioIsTakenOnlyAsNearAsTheInstrumentStaysSmall
   for (int i = 0; i < 4 * wanted && compared < wanted; ++i) {
     Spec spec = dice.spec();
     spec.pole = {};
-    const auto free = found_for(spec);
+    const auto free = found_in_stock(spec);
     if (!free) continue;
     const auto lengths = free->linkage.lengths().values();
     spec.links.stock_lengths.grid = *std::max_element(lengths.begin(), lengths.end()) / 40;
-    const auto found = found_for(spec);
+    const auto found = found_in_stock(spec);
     if (!found) continue;
     ++compared;
     small += found->value <= 1.25 * free->value;
@@ -132,7 +132,7 @@ TEST(StockLengthSearch, StockLengthsAreTheOnlyOnesUsed) {
   Spec spec = quarter_turn();
   spec.copy = Copy::of(2, pi);
   spec.links.stock_lengths.stock = {60, 80, 100, 120, 160, 200, 240, 300};
-  const auto found = found_for(spec);
+  const auto found = found_in_stock(spec);
   ASSERT_TRUE(found);
   const LinkLengths lengths = found->linkage.lengths();
   for (const double length : {lengths.VA, lengths.VB, lengths.AX, lengths.BY}) {
@@ -156,12 +156,12 @@ TEST(StockLengthSearch, AStockThatHoldsTheBestDesignsLengthsGivesThatDesign) {
     Spec strict = spec;
     strict.limits.transmission += radians(0.2);
     strict.limits.clearance += 0.1;
-    const auto best = found_for(strict);
+    const auto best = found_in_stock(strict);
     if (!best) continue;
     const LinkLengths lengths = best->linkage.lengths();
     spec.links.stock_lengths.stock = {lengths.VA, lengths.VB, lengths.AX, lengths.BY};
     std::sort(spec.links.stock_lengths.stock.begin(), spec.links.stock_lengths.stock.end());
-    const auto again = found_for(spec);
+    const auto again = found_in_stock(spec);
     ASSERT_TRUE(again) << "spec " << i;
     const double worse = is_maximized(best->goal) ? best->value / again->value : again->value / best->value;
     EXPECT_LT(worse, 1.0005) << "spec " << i;
@@ -173,11 +173,11 @@ TEST(StockLengthSearch, AStockThatHoldsTheBestDesignsLengthsGivesThatDesign) {
 TEST(StockLengthSearch, ALockedLengthIsKeptAndTheRestSolved) {
   Spec spec = quarter_turn();
   spec.limits.transmission = radians(25);
-  const auto free = found_for(spec);
+  const auto free = found_in_stock(spec);
   ASSERT_TRUE(free);
   for (const double VA : {125.0, 135.0, 150.0}) {
     spec.links.stock_lengths.locked[0] = VA;
-    const auto found = found_for(spec);
+    const auto found = found_in_stock(spec);
     ASSERT_TRUE(found) << VA;
     EXPECT_NEAR(found->linkage.VA(), VA, 1e-9);
     EXPECT_GE(found->value, free->value * (1 - 1e-9));
@@ -190,7 +190,7 @@ TEST(StockLengthSearch, AGridOrAStockKeepsEveryLockedLength) {
   for (int i = 0; i < test::samples(24); ++i) {
     Spec spec = dice.spec();
     spec.pole = {};
-    const auto any = found_for(spec);
+    const auto any = found_in_stock(spec);
     if (!any) continue;
     const double step = std::max(1e-3, any->linkage.VA() / 40);
     StockLengths& stock_lengths = spec.links.stock_lengths;
@@ -198,13 +198,13 @@ TEST(StockLengthSearch, AGridOrAStockKeepsEveryLockedLength) {
       for (int j = 1; j <= 400; ++j) stock_lengths.stock.push_back(j * step);
     else
       stock_lengths.grid = step;
-    const auto unlocked = found_for(spec);
+    const auto unlocked = found_in_stock(spec);
     if (!unlocked) continue;
     const std::size_t length = std::array<std::size_t, 4>{0, 1, 4, 6}[static_cast<std::size_t>(i % 4)];
     const double was = std::round(unlocked->linkage.lengths().values()[length] / step) * step;
     for (const double locked : {was, was + step, was + 3 * step}) {
       stock_lengths.locked[length] = locked;
-      const auto found = found_for(spec);
+      const auto found = found_in_stock(spec);
       if (locked == was) {
         EXPECT_TRUE(found) << "spec " << i;
         found_again += found.has_value();
@@ -224,7 +224,7 @@ TEST(StockLengthSearch, AGridOrAStockKeepsEveryLockedLength) {
 
 TEST(StockLengthSearch, ADesignWithOtherLengthsIsNotHandedOut) {
   Spec spec = quarter_turn();
-  const auto any = found_for(spec);
+  const auto any = found_in_stock(spec);
   ASSERT_TRUE(any);
   MapOptions map;
   map.largest_sheets = false;
@@ -248,7 +248,7 @@ TEST(StockLengthSearch, ADesignWithOtherLengthsIsNotHandedOut) {
 
 TEST(StockLengthSearch, ALockedLengthMayLieOnTheLimit) {
   Spec spec = quarter_turn();
-  const auto free = found_for(spec);
+  const auto free = found_in_stock(spec);
   ASSERT_TRUE(free);
   spec.links.stock_lengths.locked[0] = free->linkage.VA();
   spec.links.stock_lengths.locked[1] = free->linkage.VB();
@@ -257,18 +257,18 @@ TEST(StockLengthSearch, ALockedLengthMayLieOnTheLimit) {
   const double most = *std::max_element(lengths.begin(), lengths.end());
   spec.links.shortest = least;
   spec.links.longest = most;
-  EXPECT_TRUE(found_for(spec));
+  EXPECT_TRUE(found_in_stock(spec));
   spec.links.shortest = least * (1 + 1e-9);
-  EXPECT_FALSE(found_for(spec));
+  EXPECT_FALSE(found_in_stock(spec));
   spec.links.shortest = least;
   spec.links.longest = most * (1 - 1e-9);
-  EXPECT_FALSE(found_for(spec));
+  EXPECT_FALSE(found_in_stock(spec));
 }
 
 TEST(StockLengthSearch, AGridThatNoLengthFitsHasNoDesign) {
   Spec spec = quarter_turn();
   spec.links.stock_lengths.grid = 350;
-  EXPECT_FALSE(found_for(spec));
+  EXPECT_FALSE(found_in_stock(spec));
 }
 
 /// A round template and its cut, walked: the follower's centre, the pen's, the cutter's edge.

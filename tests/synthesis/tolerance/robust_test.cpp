@@ -159,7 +159,8 @@ Point place_in(Chance& dice, const Region& region) {
 }
 
 /// The instrument with the smallest gap that changing one flaw at a time comes to.
-Flaws worst_flaws(Chance& dice, const Tolerance& tolerance, const std::function<double(const Flaws&)>& gap) {
+Flaws flaws_of_least_gap(Chance& dice, const Tolerance& tolerance,
+                         const std::function<double(const Flaws&)>& gap) {
   Flaws worst = random_flaws(dice, tolerance);
   for (double& each : worst.length) each = std::copysign(tolerance.length, each);
   double least = gap(worst);
@@ -222,7 +223,7 @@ TEST(Robust, EveryInstrumentClosesOnItsAssemblyAndKeepsTheStatedClearance) {
       if (const double gap = look({}, tracer); gap < nominal) nominal = gap, tightest = tracer;
     }
     for (int m = 0; m < 10; ++m) look(random_flaws(dice, tolerance), place_in(dice, task.region));
-    worst_flaws(dice, tolerance, [&](const Flaws& flaws) { return look(flaws, tightest); });
+    flaws_of_least_gap(dice, tolerance, [&](const Flaws& flaws) { return look(flaws, tightest); });
     if (nominal < 0.5 || check.clearance < 0) continue;  // they touch as drawn: nothing is measured
     const double share = (nominal - least) / (nominal - check.clearance);
     most = std::max(most, share);

@@ -19,7 +19,7 @@ Point place(std::mt19937_64& random, double size) {
   return {x, y};
 }
 
-CopyingLinkage random_linkage(std::mt19937_64& random, double far) {
+CopyingLinkage linkage_about(std::mt19937_64& random, double far) {
   for (;;) {
     const double scale = std::exp(uniform(random, -1.5, 1.5)), turn = uniform(random, -pi, pi);
     const auto grounding = all_groundings[static_cast<std::size_t>(random() % 3)];
@@ -76,7 +76,7 @@ Pose seen_from(const Point& pole, Pose pose) {
 TEST(ObstacleWatch, GapIsThatOfManyPoints) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 100; ++i) {
-    const CopyingLinkage linkage = random_linkage(random, 300);
+    const CopyingLinkage linkage = linkage_about(random, 300);
     const OpeningInterval& openings = linkage.assembly_mode().openings;
     const double opening = uniform(random, openings.lower, openings.upper);
     const Pose pose = linkage.pose_at(opening, uniform(random, -pi, pi));
@@ -141,7 +141,7 @@ bool sees_obstacle(const VerificationTask& task) {
 TEST(ObstacleWatch, FindsWhatStandsInTheWayWhereverThePoleStands) {
   std::mt19937_64 random(9);
   for (int i = 0; i < 60; ++i) {
-    const CopyingLinkage linkage = random_linkage(random, i % 2 ? 1e5 : 0);
+    const CopyingLinkage linkage = linkage_about(random, i % 2 ? 1e5 : 0);
     VerificationTask task;
     const OpeningInterval openings =
         shrink(linkage.assembly_mode().openings, 0.2 * linkage.assembly_mode().openings.width());
