@@ -31,7 +31,7 @@ std::optional<FoundDesign> nearer(Questions& questions, const MovableLimit& limi
     if (questions.has_had_its_share(began)) break;
     const double value = demanded + share * (best.attained.of(limit.goal) - demanded);
     const Requirements narrowed = with_limit(questions.limits(), limit.goal, value);
-    const auto found = questions.best(task.with(narrowed, task.goal)).design;
+    auto found = questions.best(task.with(narrowed, task.goal)).design;
     if (!found) continue;
     if (has_stock_lengths(task.spec())) return found;  // polished lengths are none of the stock
     const SearchResult polished = best_from(start_at(found->linkage), task.with(narrowed, limit.goal), {});
