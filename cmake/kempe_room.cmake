@@ -80,10 +80,10 @@ function(kempe_warnings target)
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-error=maybe-uninitialized;-Wno-error=array-bounds;-Wno-error=stringop-overflow;-Wno-error=stringop-overread;-Wno-error=dangling-pointer;-Wno-error=free-nonheap-object>")
 endfunction()
 
-# kempe_tests(NAME SOURCES ... USES ... [JOINED ...]): one GoogleTest program a room, each case known to CTest. OpenBLAS, which may stand behind
+# kempe_tests(NAME SOURCES ... USES ...): one GoogleTest program a room, each case known to CTest. OpenBLAS, which may stand behind
 # Ipopt, would keep a second core busy at each start (app/one_blas_thread.cpp).
 function(kempe_tests name)
-  cmake_parse_arguments(T "" "" "SOURCES;USES;JOINED" ${ARGN})
+  cmake_parse_arguments(T "" "" "SOURCES;USES" ${ARGN})
   add_executable(kempe_${name}_tests ${T_SOURCES})
   target_link_libraries(kempe_${name}_tests PRIVATE ${T_USES} GTest::gtest_main)
   target_compile_definitions(kempe_${name}_tests PRIVATE
@@ -91,7 +91,7 @@ function(kempe_tests name)
   kempe_warnings(kempe_${name}_tests)
   kempe_common_headers(kempe_${name}_tests)
   kempe_lightly_optimised(kempe_${name}_tests)
-  kempe_whole_folders(kempe_${name}_tests ${T_JOINED})
+  kempe_whole_folders(kempe_${name}_tests)
   gtest_discover_tests(kempe_${name}_tests NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT 900 ENVIRONMENT OPENBLAS_NUM_THREADS=1)
 endfunction()
