@@ -65,8 +65,10 @@ std::string weight_lines(const Design& design) {
   const Feel feel =
       feel_over(design.linkage, design.style, design.hardware, *design.material, *design.load, *openings);
   text += fmt::format(
-      "feel         {:.3g} to {:.3g} kg at the tracer, friction adds up to {:.2g} % to the work\n",
-      feel.mass_least, feel.mass_most, 100 * feel.friction_share);
+      "feel         {:.3g} to {:.3g} kg at the tracer, friction adds up to {:.2g} % to the work\n"
+      "             the hand pushes with up to {} N: {}\n",
+      feel.mass_least, feel.mass_most, 100 * feel.friction_share, three_digits(feel.hand_most),
+      design.load->tilt > 0 ? "work, friction and weight together" : "work and friction together");
   return design.load->tilt > 0 ? text + balance_lines(feel, design.load->tilt) : text;
 }
 

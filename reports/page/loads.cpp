@@ -273,7 +273,8 @@ std::string forces_table(const Design& design, const OpeningInterval& openings) 
             "not stated, for two joints of a link are too near each other.";
   const std::string own_weight =
       weighs ? " Post, pins, bars and links bear the links' own weight along the table too, the worst of all "
-               "turns of the linkage; the hand's force is without it."
+               "turns of the linkage; the hand's force is without it, and with it under weight, balance and "
+               "feel."
              : "";
   return html_table("budget", {{"What bears"}, {"Force", true}, {"At worst"}}, rows) + "<p class=\"note\">" +
          note + own_weight + "</p>\n";

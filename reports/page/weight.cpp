@@ -81,7 +81,11 @@ std::string weight(const Design& design) {
   rows.push_back({"Mass felt at the tracer",
                   fmt::format("{:.3g} to {}", feel.mass_least, three_digits(feel.mass_most, "kg")),
                   "in the lightest and the heaviest direction over the region"});
-  if (design.load->tilt > 0) add_balance(feel, design.load->tilt, rows);
+  const bool tilted = design.load->tilt > 0;
+  rows.push_back(
+      {"The hand pushes with", three_digits(feel.hand_most, "N"),
+       tilted ? "at most: work, friction and weight together" : "at most: work and friction together"});
+  if (tilted) add_balance(feel, design.load->tilt, rows);
   return html_section("weight", "Weight, balance and feel",
                       html_table("budget", {{"What"}, {"Figure", true}, {"What it says"}}, rows));
 }

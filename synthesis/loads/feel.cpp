@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "kinematics/links.hpp"
+#include "synthesis/loads/hand_work.hpp"
 #include "synthesis/loads/top_over.hpp"
 
 namespace kempe {
@@ -36,6 +38,26 @@ double weight_at(const CopyingLinkage& linkage, const MassMoments& moments, doub
   return most;
 }
 
+/// The most that the hand pushes with at an opening, over bearings and directions of motion. Against a large weight it pushes most where it
+/// moves that way, which is tried in every bearing; where friction counts more, it is one of the even ones.
+double hand_at(const CopyingLinkage& linkage, const HandWork& work, const MassMoments& moments,
+               double opening, double tilt) {
+  const bool tilted = tilt > 0;  // on a level table all bearings are alike
+  const int bearings = tilted ? 36 : 1, headings = tilted ? 12 : 90;
+  double most = 0;
+  for (int i = 0; i < bearings; ++i) {
+    const Pose pose = linkage.pose_at(opening, 2 * pi * i / bearings);
+    const auto try_heading = [&](const Point& heading) {
+      const auto here = work.at(pose, heading);
+      most = std::max(most, here ? here->hand.norm() : infinity);
+    };
+    for (int j = 0; j < headings; ++j) try_heading(as_point(std::polar(1.0, 2 * pi * j / headings)));
+    const auto weight = hand_force_of_weight(linkage, moments, pose, tilt);
+    if (weight && weight->norm() > 0) try_heading(weight->normalized());
+  }
+  return most;
+}
+
 /// "along the bar", "against the bar", or the angle from it.
 std::string direction_words(Complex direction) {
   const double angle = degrees(std::arg(direction));
@@ -57,13 +79,18 @@ Feel feel_over(const CopyingLinkage& linkage, const LinkStyle& style, const Join
   const auto most = [&](double opening) { return masses_at(linkage, points, opening).most; };
   const auto least = [&](double opening) { return -masses_at(linkage, points, opening).least; };
   const auto weight = [&](double opening) { return weight_at(linkage, moments, opening, load.tilt); };
-  Feel feel{.friction_share = share(top_over(openings, share)),
+  const HandWork work(linkage, style, hardware, material, load);
+  const auto hand = [&](double opening) { return hand_at(linkage, work, moments, opening, load.tilt); };
+  const double most_friction = top_over(openings, share), most_weight = top_over(openings, weight);
+  Feel feel{.friction_share = share(most_friction),
             .without_lock = openings_without_lock(linkage, openings, friction),
             .mass_most = most(top_over(openings, most)),
             .mass_least = -least(top_over(openings, least)),
             .counterweights = counterweights(linkage, moments)};
+  for (const double opening : std::set{most_friction, most_weight, openings.lower, openings.upper})
+    feel.hand_most = std::max(feel.hand_most, hand(opening));
   if (!(load.tilt > 0)) return feel;
-  feel.weight_most = weight(top_over(openings, weight));
+  feel.weight_most = weight(most_weight);
   feel.springs = balance_springs(linkage, moments, load.tilt);
   return feel;
 }

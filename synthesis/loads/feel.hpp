@@ -17,6 +17,9 @@ struct Feel {
   double mass_least = 0;           ///< kg, in the lightest
   double weight_most =
       0;  ///< N that the hand holds of the weight on the tilted table, in any bearing; 0 on a level one
+  /// N, the most of the hand on the tracer: work, friction and weight together, in any bearing and direction of motion; infinite where a dead
+  /// point lies among the openings. Sampled: the openings are the ends and those of the largest weight and of the most friction.
+  double hand_most = 0;
   std::array<Counterweight, 2> counterweights{};
   std::optional<std::array<BalanceSpring, 2>>
       springs{};  ///< absent on a level table, and where the pole is not at V
