@@ -112,7 +112,7 @@ std::string batch_result(const BatchTask& task, const SearchOptions& given) {
   line["status"] = design.verification.holds ? "design" : "verification failed";
   line.update(figures(design));
   if (!design.verification.holds) line["message"] = design.verification.failure;
-  if (const auto fault = parts_fault(design, spec.cutting)) line["parts"] = fault->sentence;
+  if (const auto unfit = parts_fault(design, spec.cutting)) line["parts"] = unfit->sentence;
   return line_of(line);
 }
 
