@@ -34,6 +34,8 @@ struct Trial {
   std::optional<double> best{};
   /// Places of the tracer where an obstacle was met, for this design's layers.
   std::vector<Point> in_the_way;
+  /// Nothing came of it and nothing was learnt: the same design would fare the same again.
+  bool in_vain = false;
 };
 
 /// The tree as a search. First it is a bound, but only what the trials made certain counts as known; then it goes on with the

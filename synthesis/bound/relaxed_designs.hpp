@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -42,10 +43,14 @@ class RelaxedDesigns {
   void try_in(const TreeNode& node, const Branch& branch, ObstacleTest* obstacles, const LoadFloor* loads);
 
  private:
+  struct Candidate;
   struct Box;
-  void try_freest(const Box& box, const PoleDistances& exact, LengthBox line);
-  void try_design(const Box& box, double t, double w);
-  void try_out(ObstacleTest* obstacles, std::size_t layers, const RelaxedDesign& design);
+  void try_freest(Box& box, const PoleDistances& exact, LengthBox line);
+  void try_design(Box& box, double t, double w);
+  void look_at_best(Box& box);
+  void look_at(const Box& box, const Candidate& candidate);
+  void try_out(ObstacleTest* obstacles, std::size_t branch, std::size_t layers, const RelaxedDesign& design);
+  bool was_in_vain(std::size_t branch, const CopyingLinkage& linkage) const;
   bool trials_are_used_up() const { return trials_ != nullptr && tried_out_ >= trials_->most; }
 
   const Spec& spec_;
@@ -56,7 +61,8 @@ class RelaxedDesigns {
   double incumbent_ = infinity, best_ = infinity;  ///< as TreeNode::bound
   std::optional<RelaxedDesign> design_;
   int tried_out_ = 0;
-  std::set<std::size_t> soft_tried_out_;  // branches
+  std::set<std::size_t> soft_tried_out_;                       // branches
+  std::map<std::size_t, std::vector<RelaxedDesign>> in_vain_;  // of each branch: tried out, and to no avail
 };
 
 }  // namespace kempe::bounding

@@ -75,7 +75,7 @@ DesignPoint point_between(const DesignPoint& from, const DesignPoint& to, double
           from.pole + share * (to.pole - from.pole)};
 }
 
-/// The last feasible point on the way from a feasible start to a solution that breaks a limit that jumps, and is infeasible by that. By halving.
+/// The last feasible point on the way from a feasible start to an infeasible solution. By halving.
 ChoiceResult last_feasible(const DesignProblem& problem, const ChoiceResult& start,
                            const DesignPoint& solution, const LocalBudget& local) {
   ChoiceResult best = start;
@@ -90,9 +90,15 @@ ChoiceResult last_feasible(const DesignProblem& problem, const ChoiceResult& sta
   return best;
 }
 
-/// What a solution becomes that breaks a limit that jumps: a point that keeps it, if its start does.
-ChoiceResult kept_after_a_jump(const DesignProblem& problem, const DesignPoint& start, ChoiceResult solved,
-                               const LocalBudget& local) {
+/// A solution may break limits that its start keeps: one that jumps; or, among obstacles, the load error's, which bends so much that the solver
+/// ends among infeasible designs.
+bool may_leave_what_is_feasible(const DesignProblem& problem) {
+  return problem.has_limit_that_jumps() || (problem.has_load_limit() && problem.has_obstacles());
+}
+
+/// What a solution becomes that breaks a limit: a point that keeps all of them, if its start does.
+ChoiceResult kept_where_feasible(const DesignProblem& problem, const DesignPoint& start, ChoiceResult solved,
+                                 const LocalBudget& local) {
   if (solved.feasible) return solved;
   ChoiceResult best = judged(problem, start, local);
   if (best.feasible) best = last_feasible(problem, best, solved.point, local);
@@ -125,7 +131,7 @@ ChoiceResult exchange(const DesignProblem& shared, const DesignPoint& start, con
     if (here.feasible || better(here, best)) best = here;
   }
   best.evaluations += evaluations;
-  return problem.has_limit_that_jumps() ? kept_after_a_jump(problem, start, best, local) : best;
+  return may_leave_what_is_feasible(problem) ? kept_where_feasible(problem, start, best, local) : best;
 }
 
 }  // namespace

@@ -58,22 +58,27 @@ class TreeSearch {
 
   Trial try_from(const RelaxedDesign& start) {
     Trial trial;
+    trial.in_vain = true;
     for (Prospect& prospect : prospects_)
       if (const Choice& choice = prospect.subproblem.choice->choice;
           choice.grounding == start.grounding && choice.assembly_mode == start.assembly_mode &&
           choice.layers == start.layers)
-        try_from(start, prospect, trial.in_the_way);
+        try_from(start, prospect, trial);
     if (best_.result.feasible) trial.best = is_maximized(task_.goal) ? -best_.result.cost : best_.result.cost;
     return trial;
   }
 
-  void try_from(const RelaxedDesign& start, Prospect& prospect, std::vector<Point>& in_the_way) {
+  void try_from(const RelaxedDesign& start, Prospect& prospect, Trial& trial) {
     const DesignProblem& problem = *prospect.subproblem.problem;
     const std::size_t known = problem.places().size();
     const DesignPoint point{{std::log(start.VA), std::log(start.VB)}, start.pole};
-    strategy_.certify(task_, prospect, refine(problem, point, task_.budgets().local, task_.stop()), best_);
-    in_the_way.insert(in_the_way.end(), problem.places().begin() + static_cast<std::ptrdiff_t>(known),
-                      problem.places().end());
+    const ChoiceResult found = refine(problem, point, task_.budgets().local, task_.stop());
+    trial.in_vain =
+        trial.in_vain && !found.feasible;  // what is feasible is certified, which may add to the problem
+    strategy_.certify(task_, prospect, found, best_);
+    trial.in_the_way.insert(trial.in_the_way.end(),
+                            problem.places().begin() + static_cast<std::ptrdiff_t>(known),
+                            problem.places().end());
   }
 
   const SearchTask& task_;
