@@ -1,7 +1,7 @@
 // The tree: the most promising box of designs is looked at first, split across its widest coordinate, and
 // each half is shrunk by reach and length limits, bounded, and dropped if the gap between original and copy
 // (pole_places.hpp), contact (contact_cuts.hpp, obstacles.hpp) or, where asked for, the limit on the load
-// error (load_floor.hpp) rules it out. Designs met on the way (relaxed_designs.hpp) say how good a box must
+// error (load_floor.hpp, load_trade.hpp) rules it out. Designs met on the way (relaxed_designs.hpp) say how good a box must
 // be.
 
 #include "synthesis/bound/proven_bound.hpp"
@@ -14,6 +14,7 @@
 
 #include "synthesis/bound/contact_cuts.hpp"
 #include "synthesis/bound/load_floor.hpp"
+#include "synthesis/bound/load_trade.hpp"
 #include "synthesis/bound/relaxed_designs.hpp"
 #include "synthesis/problem/local_frame.hpp"
 #include "workspace/obstructions.hpp"
@@ -83,6 +84,7 @@ class Tree {
   }
 
   void grow_until(double tolerance) {
+    tolerance_ = tolerance;
     while (!is_closed(tolerance) && boxes_ < options_.boxes && !designs_.in_vain() && !options_.stop()) {
       if (opened_ % told_every == 0) tell_progress(tolerance);
       TreeNode node = open_.top();
@@ -121,7 +123,10 @@ class Tree {
         if (options_.stop()) return false;
         branches_.push_back(bounding::make_branch(spec_, grounding, mode, layers, options_.shortest));
         if (sees_obstacles()) add_obstacle_test(branches_.back());
-        if (sees_loads()) load_floors_.emplace_back(spec_, branches_.back().mode);
+        if (sees_loads()) {
+          load_floors_.emplace_back(spec_, branches_.back().mode);
+          load_trades_.emplace_back(spec_, branches_.back().mode);
+        }
         const ModeFacts& a = branches_.back().mode;
         if (a.a.empty() || a.b.empty() || a.allowed.empty()) continue;
         TreeNode root;
@@ -148,10 +153,22 @@ class Tree {
     if (!by_size_ && -node.bound < spec_.limits.transmission) return;
     if (node.bound >= designs_.best()) return drop(node, designs_.best());
     if (sees_loads() && loads_of(node)->exceeded_by_all(node.distances, node.lengths)) return;
+    if (sees_loads()) raise_by_loads(node);
     if (!cuts_.repeat(node, branch_of(node)) || (node.sight.hit && !rule_out_by_obstacles(node, true)))
       return;
     node.number = boxes_;
     open_.push(node);
+  }
+
+  /// The bound of a box without a design that keeps the limit on the load error and is better than what the tree asks for.
+  void raise_by_loads(TreeNode& node) const {
+    const double enough = designs_.enough(tolerance_);
+    if (!(enough < infinity) || node.bound >= enough) return;
+    const double transmission =
+        by_size_ ? designs_.transmission() : std::max(spec_.limits.transmission, -enough);
+    if (load_trades_[node.branch].none_better(node.distances, node.lengths, transmission,
+                                              by_size_ ? std::optional(enough) : std::nullopt))
+      node.bound = enough;
   }
 
   bool sees_obstacles() const {
@@ -289,6 +306,7 @@ class Tree {
   std::vector<std::unique_ptr<bounding::ObstacleTest>>
       obstacle_tests_;                            // one a branch, if there are obstacles
   std::vector<bounding::LoadFloor> load_floors_;  // one a branch, if loads are to be seen
+  std::vector<bounding::LoadTrade> load_trades_;  // the same
   bounding::ContactCuts cuts_;
   bounding::RelaxedDesigns designs_;
   std::priority_queue<TreeNode, std::vector<TreeNode>, bounding::LessPromising> open_;
@@ -296,6 +314,7 @@ class Tree {
   std::size_t boxes_ = 0, opened_ = 0;
   static constexpr std::size_t told_every = 64;            // boxes
   static constexpr std::size_t looked_further_every = 64;  // boxes
+  double tolerance_ = options_.tolerance;                  // that the tree grows to now
   double widest_gap_ = 0, told_ = 0;                       // of the progress told
 };
 

@@ -8,6 +8,7 @@
 
 #include "specs/materials.hpp"
 #include "synthesis/bound/branch.hpp"
+#include "synthesis/bound/load_trade.hpp"
 #include "synthesis/bound/proven_bound.hpp"
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/search/search.hpp"
@@ -128,6 +129,47 @@ TEST(LoadFloor, LeavesOutNoBoxWithADesignThatKeepsTheLimit) {
   }
   EXPECT_GT(left_out, test::expected(200));
   EXPECT_GT(kept, test::expected(200));
+}
+
+TEST(LoadTrade, NoBoxWithABetterDesignIsSaidToHaveNone) {
+  test::SpecDice dice(417);
+  int without = 0, beyond_the_floor = 0, better = 0;
+  for (int i = 0; i < test::samples(10000); ++i) {
+    LoadedBranch one = random_branch(dice);
+    const bounding::ModeFacts& mode = one.branch.mode;
+    const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(1e3, 1e5);
+    const auto linkage =
+        bounding::linkage_of(one.spec, one.branch, std::sqrt(w / t / 2), std::sqrt(w * t / 2), Point::Zero());
+    ASSERT_TRUE(linkage);
+    const double far_psi = dice.uniform(mode.far_end + 0.05, mode.near_end - 0.05),
+                 near_psi = dice.uniform(far_psi, mode.near_end - 0.05);
+    if (!(far_psi < near_psi)) continue;
+    const double far = one.branch.opening_of(far_psi), near = one.branch.opening_of(near_psi);
+    const OpeningInterval openings{std::min(far, near), std::max(far, near)};
+    const double nearest = linkage->radius_at(near), farthest = linkage->radius_at(far);
+    const bounding::PoleDistances distances{nearest, farthest, 1, farthest * farthest - nearest * nearest};
+    const double wide = dice.log_uniform(1e-6, 0.1), apart = dice.uniform(0, 1);
+    const bounding::LengthBox box{{t / (1 + wide * apart), t * (1 + wide)},
+                                  {w / (1 + wide * dice.uniform(0, 1)), w * (1 + wide)}};
+    const auto about = [&](double figure) { return figure * (1 + wide * dice.uniform(-0.1, 0.1)); };
+    const double has = load_error_profile(one.spec, one.spec.copy.k(), mode.grounding)
+                           .over({linkage->VA(), linkage->VB()}, openings)
+                           .worst;
+    const double angle = std::min(linkage->transmission_angle(near), linkage->transmission_angle(far));
+    one.spec.limits.load_error = about(has);
+    const double wanted = about(angle);
+    const auto size = dice.one_in(2) ? std::optional(about(linkage->size())) : std::nullopt;
+    const bool is_better =
+        has <= *one.spec.limits.load_error && angle > wanted && (!size || linkage->size() < *size);
+    const bool has_none = bounding::LoadTrade(one.spec, mode).none_better(distances, box, wanted, size);
+    EXPECT_FALSE(is_better && has_none) << i;
+    without += has_none;
+    beyond_the_floor += has_none && !bounding::LoadFloor(one.spec, mode).exceeded_by_all(distances, box);
+    better += is_better;
+  }
+  EXPECT_GT(without, test::expected(40));
+  EXPECT_GT(beyond_the_floor, test::expected(40));
+  EXPECT_GT(better, test::expected(200));
 }
 
 /// A plagiograph beside a fence.
