@@ -43,7 +43,7 @@ inline constexpr double tree_search = 5e-7;
 inline constexpr double tree_bound = 1e-4;
 /// Share of the gap between a design that keeps a limit on the load error and the best that need not, which is all that a told bound knows: how
 /// near the bound is brought to that best.
-inline constexpr double gap_of_a_limit = 0.1;
+inline constexpr double gap_of_a_limit = 0.05;
 /// Share of the cost: the second solver's result replaces the first's only if it is better by more; rounding must not make
 /// one solver's digits look better than the other's.
 inline constexpr double solver_gain = 1e-9;
