@@ -1,11 +1,10 @@
-#include "synthesis/bound/load_trade.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "geometry/interval.hpp"
+#include "synthesis/bound/load_trade.hpp"
 #include "synthesis/bound/slack.hpp"
 #include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/load_error.hpp"
@@ -67,8 +66,8 @@ struct TurningArm {
 
 using TurningPlate = std::array<TurningArm, 3>;  // at its corner, C and tip
 
-void add_plate_terms(const Section& section, const std::array<PlateArm, 2>& arms, const TurningPlate& forces, bool is_of_VA,
-               std::vector<Term>& terms) {
+void add_plate_terms(const Section& section, const std::array<PlateArm, 2>& arms, const TurningPlate& forces,
+                     bool is_of_VA, std::vector<Term>& terms) {
   for (const PlateArm& arm : arms) {
     const Interval length = widened(arm.length);
     const TurningArm& at_end = forces[static_cast<std::size_t>(arm.end)];
@@ -92,11 +91,11 @@ std::vector<Term> terms_at(const Interval& psi, const Section& section) {
   const TurningVector bar_VA = cosecant * side_turned, bar_VB = minus_cosecant * side;
   const IntervalComplex minus = exactly(-1.0), whole{plate, Interval(0)};
   const TurningPlate ACX{{{cosine * bar_VA, minus * side_turned},
-                         {s * e - cosine * bar_VA, left * e},
-                         {whole * e, whole * (left * e)}}};
+                          {s * e - cosine * bar_VA, left * e},
+                          {whole * e, whole * (left * e)}}};
   const TurningPlate BCY{{{cosine * bar_VB, fixed(minus * side)},
-                         {bar_VA - fixed(s), fixed(minus * (left * s))},
-                         {fixed(s_direction), fixed(left * s_direction)}}};
+                          {bar_VA - fixed(s), fixed(minus * (left * s))},
+                          {fixed(s_direction), fixed(left * s_direction)}}};
   const bool straight = is_straight(section.s);
   std::vector<Term> terms;
   add_plate_terms(section, plate_arms(1.0 / section.s, straight), ACX, false, terms);
@@ -155,7 +154,9 @@ Figure load_figure(const std::vector<Term>& terms, const Bar& bar, const Figure&
 /// Of two figures in a sum.
 struct Weights {
   double first, second;
-  Interval sum(const Interval& x, const Interval& y) const { return Interval(first) * x + Interval(second) * y; }
+  Interval sum(const Interval& x, const Interval& y) const {
+    return Interval(first) * x + Interval(second) * y;
+  }
 };
 
 /// Half the widths of a box about its middle, in logarithms of t and w.
@@ -164,8 +165,8 @@ struct HalfWidths {
 };
 
 /// Lower bound of a weighted sum over the box: from the value in the middle and the slopes over the box.
-double sum_at_least(const Weights& weights, const Figure& first, const Figure& second, const Figure& first_slopes,
-                    const Figure& second_slopes, const HalfWidths& half) {
+double sum_at_least(const Weights& weights, const Figure& first, const Figure& second,
+                    const Figure& first_slopes, const Figure& second_slopes, const HalfWidths& half) {
   const Interval value = weights.sum(first.value, second.value);
   const Interval along_t = weights.sum(first_slopes.along_t, second_slopes.along_t);
   const Interval along_w = weights.sum(first_slopes.along_w, second_slopes.along_w);
@@ -194,7 +195,8 @@ struct Question {
 };
 
 /// Of the load error at one psi; nothing near a change point. `direction`: chosen here where it is 0.
-std::optional<Figure> load_figure_at(const Question& asked, const Bar& bar, const Figure& psi, Complex& direction) {
+std::optional<Figure> load_figure_at(const Question& asked, const Bar& bar, const Figure& psi,
+                                     Complex& direction) {
   const std::vector<Term> terms = terms_at(psi.value, asked.section);
   if (terms.empty()) return std::nullopt;
   if (direction == 0.0) direction = softest_direction(terms, bar);
@@ -219,7 +221,8 @@ std::vector<Figure> figures_over(const Question& asked, const Interval& t, const
   const auto load_far = load_figure_at(asked, bar, *far, directions[1]);
   if (!load_near || !load_far) return {};
   const Interval angle(asked.transmission);
-  std::vector<Figure> figures{*load_near, *load_far,
+  std::vector<Figure> figures{*load_near,
+                              *load_far,
                               {near->value - Interval(mode.near_end) + angle, near->along_t, near->along_w},
                               {Interval(mode.far_end) + angle - far->value, -far->along_t, -far->along_w}};
   if (asked.size) figures.push_back(size_figure(mode, a, b, *asked.size));
@@ -242,21 +245,22 @@ LoadTrade::LoadTrade(const Spec& spec, const ModeFacts& mode)
 
 bool LoadTrade::none_better(const PoleDistances& distances, const LengthBox& lengths, double transmission,
                             std::optional<double> size) const {
-  if (!(distances.nearest_at_most > 0 && distances.nearest_at_most < distances.farthest_at_least)) return false;
+  if (!(distances.nearest_at_most > 0 && distances.nearest_at_most < distances.farthest_at_least))
+    return false;
   const double t = std::sqrt(lengths.t.lower * lengths.t.upper);
   const double w = std::sqrt(lengths.w.lower * lengths.w.upper);
   const OutwardRounding rounding;
   const HalfWidths half{log_from_middle_of(lengths.t, t), log_from_middle_of(lengths.w, w)};
   const Interval area = Interval(width_) * thickness_, E(E_);
-  const Interval factor = pen_is_at_V(mode_.grounding)
-                              ? 1.0 / squared_length(widened(mode_.s) - exactly(1.0))
-                              : Interval(1);
-  const Question asked{mode_,
-                       distances,
-                       transmission,
-                       size,
-                       {mode_.s, mode_.bend, 4.0 / (E * area * CGAL::square(Interval(width_))), 1.0 / (E * area)},
-                       Interval(force_) * factor / Interval(limit_)};
+  const Interval factor =
+      pen_is_at_V(mode_.grounding) ? 1.0 / squared_length(widened(mode_.s) - exactly(1.0)) : Interval(1);
+  const Question asked{
+      mode_,
+      distances,
+      transmission,
+      size,
+      {mode_.s, mode_.bend, 4.0 / (E * area * CGAL::square(Interval(width_))), 1.0 / (E * area)},
+      Interval(force_) * factor / Interval(limit_)};
   std::array<Complex, load_figures> directions{};
   const std::vector<Figure> at_middle = figures_over(asked, Interval(t), Interval(w), directions);
   std::vector<Figure> over_box;  // worked out once a pair is promising

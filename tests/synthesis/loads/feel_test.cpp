@@ -53,7 +53,8 @@ double most_seen(const HandCase& one, std::mt19937_64& random, int poses) {
 TEST(Feel, HandPushesNowhereMoreThanItsLargestForce) {
   std::mt19937_64 random(61);
   for (int i = 0; i < test::samples(100); ++i) {
-    const HandCase one = random_hand_case(random, uniform(random, 0, 1) < 0.3 ? 0 : uniform(random, 0, pi / 2));
+    const HandCase one =
+        random_hand_case(random, uniform(random, 0, 1) < 0.3 ? 0 : uniform(random, 0, pi / 2));
     const double most = one.feel().hand_most, seen = most_seen(one, random, 5000);
     EXPECT_LT(seen, 1.01 * most) << i;  // it is sampled; at most 0.99995 was seen
     EXPECT_GT(seen, 0.8 * most) << i;
