@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "geometry/fixed_text.hpp"
 #include "synthesis/design/error_budget.hpp"
 #include "synthesis/loads/feel.hpp"
 #include "workspace/reach.hpp"
