@@ -96,23 +96,37 @@ TEST(LoadFloor, NoDesignOfABoxGivesWayByLess) {
   EXPECT_GT(nearest, 0.9999);  // a small box's floor is near to what its designs have
 }
 
+/// A random design of a branch, and the distances that it covers between two of its openings; no linkage where these are out of order.
+struct DesignAtDistances {
+  DesignAtDistances(const LoadedBranch& one, test::SpecDice& dice)
+      : t(dice.log_uniform(0.3, 3)), w(dice.log_uniform(1e3, 1e5)) {
+    const bounding::ModeFacts& mode = one.branch.mode;
+    const double far_psi = dice.uniform(mode.far_end + 0.05, mode.near_end - 0.05),
+                 near_psi = dice.uniform(far_psi, mode.near_end - 0.05);
+    if (!(far_psi < near_psi)) return;
+    linkage =
+        bounding::linkage_of(one.spec, one.branch, std::sqrt(w / t / 2), std::sqrt(w * t / 2), Point::Zero())
+            .value();
+    const double far = one.branch.opening_of(far_psi), near = one.branch.opening_of(near_psi);
+    openings = {std::min(far, near), std::max(far, near)};
+    const double nearest = linkage->radius_at(near), farthest = linkage->radius_at(far);
+    distances = {nearest, farthest, 1, farthest * farthest - nearest * nearest};
+  }
+  double t, w;
+  std::optional<CopyingLinkage> linkage;
+  OpeningInterval openings{};
+  bounding::PoleDistances distances{};
+};
+
 TEST(LoadFloor, LeavesOutNoBoxWithADesignThatKeepsTheLimit) {
   test::SpecDice dice(416);
   int left_out = 0, kept = 0;
   for (int i = 0; i < test::samples(2000); ++i) {
     LoadedBranch one = random_branch(dice);
     const bounding::ModeFacts& mode = one.branch.mode;
-    const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(1e3, 1e5);
-    const auto linkage =
-        bounding::linkage_of(one.spec, one.branch, std::sqrt(w / t / 2), std::sqrt(w * t / 2), Point::Zero());
-    ASSERT_TRUE(linkage);
-    const double far_psi = dice.uniform(mode.far_end + 0.05, mode.near_end - 0.05),
-                 near_psi = dice.uniform(far_psi, mode.near_end - 0.05);
-    if (!(far_psi < near_psi)) continue;
-    const double one_end = one.branch.opening_of(far_psi), other_end = one.branch.opening_of(near_psi);
-    const OpeningInterval openings{std::min(one_end, other_end), std::max(one_end, other_end)};
-    const double nearest = linkage->radius_at(other_end), farthest = linkage->radius_at(one_end);
-    const bounding::PoleDistances distances{nearest, farthest, 1, farthest * farthest - nearest * nearest};
+    const DesignAtDistances design(one, dice);
+    if (!design.linkage) continue;
+    const auto& [t, w, linkage, openings, distances] = design;
     const double wide = dice.log_uniform(1e-6, 0.3);
     const bounding::LengthBox box{{t / (1 + wide * dice.uniform(0, 1)), t * (1 + wide)},
                                   {w / (1 + wide * dice.uniform(0, 1)), w * (1 + wide)}};
@@ -137,17 +151,9 @@ TEST(LoadTrade, NoBoxWithABetterDesignIsSaidToHaveNone) {
   for (int i = 0; i < test::samples(10000); ++i) {
     LoadedBranch one = random_branch(dice);
     const bounding::ModeFacts& mode = one.branch.mode;
-    const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(1e3, 1e5);
-    const auto linkage =
-        bounding::linkage_of(one.spec, one.branch, std::sqrt(w / t / 2), std::sqrt(w * t / 2), Point::Zero());
-    ASSERT_TRUE(linkage);
-    const double far_psi = dice.uniform(mode.far_end + 0.05, mode.near_end - 0.05),
-                 near_psi = dice.uniform(far_psi, mode.near_end - 0.05);
-    if (!(far_psi < near_psi)) continue;
-    const double far = one.branch.opening_of(far_psi), near = one.branch.opening_of(near_psi);
-    const OpeningInterval openings{std::min(far, near), std::max(far, near)};
-    const double nearest = linkage->radius_at(near), farthest = linkage->radius_at(far);
-    const bounding::PoleDistances distances{nearest, farthest, 1, farthest * farthest - nearest * nearest};
+    const DesignAtDistances design(one, dice);
+    if (!design.linkage) continue;
+    const auto& [t, w, linkage, openings, distances] = design;
     const double wide = dice.log_uniform(1e-6, 0.1), apart = dice.uniform(0, 1);
     const bounding::LengthBox box{{t / (1 + wide * apart), t * (1 + wide)},
                                   {w / (1 + wide * dice.uniform(0, 1)), w * (1 + wide)}};
@@ -155,7 +161,8 @@ TEST(LoadTrade, NoBoxWithABetterDesignIsSaidToHaveNone) {
     const double has = load_error_profile(one.spec, one.spec.copy.k(), mode.grounding)
                            .over({linkage->VA(), linkage->VB()}, openings)
                            .worst;
-    const double angle = std::min(linkage->transmission_angle(near), linkage->transmission_angle(far));
+    const double angle =
+        std::min(linkage->transmission_angle(openings.lower), linkage->transmission_angle(openings.upper));
     one.spec.limits.load_error = about(has);
     const double wanted = about(angle);
     const auto size = dice.one_in(2) ? std::optional(about(linkage->size())) : std::nullopt;
