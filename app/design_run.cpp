@@ -441,7 +441,8 @@ CLI::Option* add_paper_option(CLI::App& command, Paper& paper) {
 
 int publish_design(const Session& session, Design& design, const LoadedSpec& spec,
                    const std::filesystem::path& folder, const TimeToFinish& time,
-                   const std::string& studio_page, Paper paper, int threads) {
+                   const std::string& studio_page, Paper paper, int threads,
+                   std::optional<CertificateOrNone> proof) {
   ReportExtras extras;
   extras.program_version = KEMPE_VERSION;
   extras.spec_name = shown_name(spec.file);
@@ -449,7 +450,7 @@ int publish_design(const Session& session, Design& design, const LoadedSpec& spe
   extras.paper = paper;
   if (!studio_page.empty()) extras.studio_page = studio_page_name;
   FolderDraft draft(folder);
-  const auto drafted = draft_design(design, extras, draft, time, threads);
+  const auto drafted = draft_design(design, extras, draft, time, threads, std::move(proof));
   if (!drafted)
     return fail(session, drafted.error().by == NotPublished::By::writing ? cannot_write : verification_failed,
                 drafted.error().sentence);

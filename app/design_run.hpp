@@ -36,11 +36,12 @@ std::string shown_name(const std::string& file);
 
 /// Verifies the design, writes its folder and prints the summary. `studio_page` is the text of the studio's page to be written
 /// beside the report, which then leads to it; empty: none. `paper` is that of workshop.pdf; on
-/// two `threads` or more, files that do not need each other are made at once. Returns the exit code: `verification_failed` (and nothing written),
+/// two `threads` or more, files that do not need each other are made at once. `proof`: the log, if it is made already. Returns the exit code: `verification_failed` (and nothing written),
 /// `cannot_write`, or done.
 int publish_design(const Session& session, Design& design, const LoadedSpec& spec,
                    const std::filesystem::path& folder, const TimeToFinish& time = {},
-                   const std::string& studio_page = {}, Paper paper = Paper::A4, int threads = 1);
+                   const std::string& studio_page = {}, Paper paper = Paper::A4, int threads = 1,
+                   std::optional<CertificateOrNone> proof = {});
 
 /// The option --paper, of workshop.pdf.
 CLI::Option* add_paper_option(CLI::App& command, Paper& paper);

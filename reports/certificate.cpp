@@ -13,7 +13,7 @@ bool has_rules(const Design& design) {
          (design.search->objective == Objective::size || design.search->objective == Objective::transmission);
 }
 
-tl::expected<Certificate, certificate::NoLog> certificate_of(const Design& design, const StopFlag& stop) {
+CertificateOrNone certificate_of(const Design& design, const StopFlag& stop) {
   if (!has_rules(design)) return tl::unexpected(certificate::NoLog::no_rules);
   const Spec task = spec_of(design);
   certificate::ProofOptions options;

@@ -21,10 +21,13 @@ struct Certificate {
   std::optional<double> bound;  ///< what it proves; mm or rad
 };
 
+using CertificateOrNone = tl::expected<Certificate, certificate::NoLog>;
+
 /// The log that no design is better than the design's bound, of a design that has rules; else why there is none. A bound that
 /// touches the best design, or whose proof is long, is made looser by a millionth of itself or more: the design is to state the
 /// bound that the log proves.
-tl::expected<Certificate, certificate::NoLog> certificate_of(const Design& design, const StopFlag& stop = {});
+/// It rests on what spec and search say of the design, not on its map.
+CertificateOrNone certificate_of(const Design& design, const StopFlag& stop = {});
 
 /// The log that no design of the spec exists.
 tl::expected<std::string, certificate::NoLog> certificate_of_none(const Spec& spec,

@@ -44,6 +44,10 @@ bool has_small_texts(const Design& design) {
   return corners <= most_corners;
 }
 
+std::string workshop_text(const Design& design, const ReportExtras& extras) {
+  return workshop_pdf(design, {title_of(design, extras), extras.program_version, extras.paper});
+}
+
 using Text = std::function<std::string()>;
 
 /// The files that state neither bound nor verification.
@@ -59,9 +63,16 @@ std::vector<std::pair<std::string, Text>> early_texts(const Design& design, cons
 std::string left_out_for_time(const std::string& file) { return file + " is left out: the time was over."; }
 
 std::vector<std::function<void()>> early_jobs(const Design& design, const CuttingSpec& cutting,
-                                              const TimeToFinish& time, EarlyFiles& to) {
+                                              const ReportExtras& extras, const TimeToFinish& time,
+                                              const std::function<void()>& settle, EarlyFiles& to) {
   std::vector<std::function<void()>> jobs;
-  if (has_small_texts(design)) {
+  const bool small = has_small_texts(design);
+  if (settle)
+    jobs.push_back([&, time, settle, small] {
+      settle();
+      if (small && !time.over()) to.workshop = workshop_text(design, extras);
+    });
+  if (small) {
     auto texts = early_texts(design, cutting);
     to.files.resize(texts.size());
     jobs.push_back([&design, &to, time] {
@@ -89,15 +100,13 @@ tl::expected<std::vector<std::string>, std::string> make_design_package(
   };
   std::vector<std::pair<std::string, Text>> files = early_texts(design, cutting);
   files.insert(files.begin(), {"design.json", [&] { return design_json(design); }});
-  files.push_back(
-      {std::string(workshop_name), [&] {
-         return workshop_pdf(design, {title_of(design, extras), extras.program_version, extras.paper});
-       }});
+  files.push_back({std::string(workshop_name), [&] { return workshop_text(design, extras); }});
   files.push_back({"report.html", [&] {
                      return early.picture ? html_report(design, extras, *early.picture)
                                           : html_report(design, extras);
                    }});
   std::vector<std::string> made(files.size());
+  early.files.push_back({std::string(workshop_name), std::move(early.workshop)});
   for (OutputFile& file : early.files)
     for (std::size_t i = 0; i < files.size(); ++i)
       if (file.name == files[i].first) std::swap(made[i], file.contents);

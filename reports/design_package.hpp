@@ -23,17 +23,20 @@ struct TimeToFinish {
 /// Why a file is left out.
 std::string left_out_for_time(const std::string& file);
 
-/// What states neither a design's bound nor its verification, and so can be made before they are known.
+/// What is made before the rest: what states neither a design's bound nor its verification can be made before they are known.
 struct EarlyFiles {
   std::vector<OutputFile> files;  ///< those that are not made are empty
+  std::string workshop;           ///< workshop.pdf, if bound and verification were settled first
   std::optional<PartFiles> parts;
   std::optional<MapPicture> picture;  ///< for the report
 };
 
 /// Jobs that make them, each independent of the others: what is given here must outlive them. Of a region of very many corners the parts
-/// alone, so that no large texts wait in memory for others. Nothing more is made once `time.over` is set.
+/// alone, so that no large texts wait in memory for others. Nothing more is made once `time.over` is set. `settle` fills in bound and
+/// verification, which no other job looks at: the first job calls it and goes on with workshop.pdf, which names the contents of design.json.
 std::vector<std::function<void()>> early_jobs(const Design& design, const CuttingSpec& cutting,
-                                              const TimeToFinish& time, EarlyFiles& to);
+                                              const ReportExtras& extras, const TimeToFinish& time,
+                                              const std::function<void()>& settle, EarlyFiles& to);
 
 /// Gives the files of a design's folder to `take`, one after the other: design.json first, map, drawings and report,
 /// then those of the parts (part_files.hpp). Stops at the first error of `take` and returns it; else what is left out and

@@ -1,12 +1,12 @@
 #include "reports/publication.hpp"
 
 #include <functional>
+#include <iterator>
 #include <utility>
 #include <vector>
 
 #include "kinematics/parallel.hpp"
 #include "reports/audit/recheck.hpp"
-#include "reports/certificate.hpp"
 #include "reports/design_package.hpp"
 #include "reports/drawings/part_files.hpp"
 #include "reports/drawings/parts_fault.hpp"
@@ -34,27 +34,33 @@ tl::unexpected<NotPublished> refused(NotPublished::By by, std::string sentence) 
 }  // namespace
 
 tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras extras, FolderDraft& draft,
-                                                 const TimeToFinish& time, int threads) {
+                                                 const TimeToFinish& time, int threads,
+                                                 std::optional<CertificateOrNone> proof) {
   using enum NotPublished::By;
   if (const auto fault = parts_fault(design, design.cutting)) extras.why_no_parts = fault->sentence;
-  tl::expected<Certificate, certificate::NoLog> certificate;
+  const bool had_rules = has_rules(design), had_bound = design.quality.proven_bound.has_value();
   VerificationRun run;
   EarlyFiles early;
-  std::vector<std::function<void()>> jobs{
-      [&] { certificate = certificate_of(design, time.enough); },
-      [&] { run = run_verification(verification_task(design), {.stop = time.enough}); }};
-  for (auto& job : early_jobs(design, design.cutting, time, early)) jobs.push_back(std::move(job));
+  const auto verify = [&] { run = run_verification(verification_task(design), {.stop = time.enough}); };
+  const auto state = [&] {
+    design.verification = run.found;
+    design.quality.proven_bound = *proof ? (*proof)->bound : std::nullopt;
+    if (*proof) extras.proof_log = certificate_name;
+  };
+  std::vector<std::function<void()>> jobs;
+  std::function<void()> settle;
+  if (proof)
+    settle = [&] { verify(), state(); };
+  else
+    jobs = {[&] { proof = certificate_of(design, time.enough); }, verify};
+  for (auto& job : early_jobs(design, design.cutting, extras, time, settle, early))
+    jobs.push_back(std::move(job));
   run_parallel(jobs.size(), threads, [&](std::size_t i) { jobs[i](); });
-  design.verification = run.found;
+  if (!settle) state();
+  const CertificateOrNone& certificate = *proof;
   if (!design.verification.holds)
     return refused(verification,
                    "the design failed its verification, nothing is written: " + design.verification.failure);
-  if (certificate) {
-    extras.proof_log = certificate_name;
-    design.quality.proven_bound = certificate->bound;
-  }
-  const bool had_rules = has_rules(design), unproven = !certificate && design.quality.proven_bound;
-  if (unproven) design.quality.proven_bound.reset();
   give_memory_back();
   auto left_out = make_design_package(
       design, design.cutting, extras, [&](const OutputFile& file) { return draft.add(file); }, time,
@@ -64,14 +70,22 @@ tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras ex
     if (const auto added = draft.add({certificate_name, certificate->log}); !added)
       return refused(writing, added.error());
   if (!certificate && had_rules) left_out->push_back(left_out_sentence(certificate.error()));
-  if (unproven) left_out->push_back("The bound is left out: no log proves it.");
+  if (!certificate && had_bound) left_out->push_back("The bound is left out: no log proves it.");
   if (!run.complete) left_out->push_back("The verification was stopped early: it is of fewer positions.");
   give_memory_back();
-  if (time.over())
-    left_out->push_back("The drawings are not read back: the time was over.");
-  else if (const auto faults = recheck(draft, design, design.cutting); !faults.empty())
+  std::vector<std::string> faults;
+  tl::expected<void, std::string> synchronised;
+  const bool read_back = !time.over();
+  const std::function<void()> last[] = {[&] { synchronised = draft.synchronise(); },  // it mostly waits
+                                        [&] {
+                                          if (read_back) faults = recheck(draft, design, design.cutting);
+                                        }};
+  run_parallel(std::size(last), threads, [&](std::size_t i) { last[i](); });
+  if (!read_back) left_out->push_back("The drawings are not read back: the time was over.");
+  if (!faults.empty())
     return refused(rereading,
                    "the drawings, read back, differ from the design; nothing is written: " + faults.front());
+  if (!synchronised) return refused(writing, synchronised.error());
   return Drafted{std::move(*left_out), extras.why_no_parts.empty()};
 }
 

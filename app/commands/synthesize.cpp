@@ -16,6 +16,7 @@
 #include "app/stopping.hpp"
 #include "app/studio_page.hpp"
 #include "app/words.hpp"
+#include "reports/certificate.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/search.hpp"
 #include "synthesis/search/search_faults.hpp"
@@ -78,13 +79,14 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
   if (const auto* none = std::get_if<NoDesign>(&outcome))
     return tell_no_design(session, *none, loaded->unit(), ProofFolder{*loaded, arguments.folder, to_map});
   const auto& found = std::get<FoundDesign>(outcome);
-  auto design =
-      certified_design(loaded->spec, found, {.map_tolerance = arguments.map_tolerance, .stop = to_map},
-                       Detail::full, arguments.threads);
+  std::optional<CertificateOrNone> proof;
+  auto design = certified_design(
+      loaded->spec, found, {.map_tolerance = arguments.map_tolerance, .stop = to_map}, Detail::full,
+      arguments.threads, [&](const Design& searched) { proof = certificate_of(searched, to_map); });
   if (!design) return fail_unproven(session, none_found + (": " + design.error()));
   const StopFlag to_write = stopping.flag(time_to_write(stopping.limit()));
   const int code = publish_design(session, *design, *loaded, arguments.folder, {to_map, to_write}, *studio,
-                                  arguments.paper, arguments.threads);
+                                  arguments.paper, arguments.threads, std::move(proof));
   return code == done && stopping.interrupted() ? interrupted : code;
 }
 

@@ -126,10 +126,8 @@ void measure_footprint(Design& design, const StopFlag& stop) {
 
 enum class From { search, spec };
 
-/// `beside`: what else is asked of the design and needs no map; it may run beside it.
-Design assembled(
-    const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers, const MapOptions& options,
-    Detail detail, From from, int threads = 1, const std::function<void()>& beside = [] {}) {
+/// All of a design that needs no map.
+Design unmapped(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers) {
   Design design{.linkage = linkage,
                 .title = spec.title,
                 .scale = spec.copy.scale(),
@@ -148,25 +146,38 @@ Design assembled(
                 .material = spec.material,
                 .load = spec.load};
   note_ratio(design, spec.copy);
+  return design;
+}
+
+using Job = std::function<void()>;
+
+/// Maps and measures a design; what needs no map is worked out beside it, the longest first. `beside` is more of that kind: on one thread it
+/// comes last, for where time is short the design's own figures are wanted first.
+void map_and_measure(Design& design, const Spec& spec, const MapOptions& options, Detail detail, From from,
+                     int threads = 1, const Job& why_layers = {}, const Job& beside = {}) {
   MapOptions on_threads = options;
   on_threads.threads = threads;
-  const std::function<void()> jobs[] = {[&] {
-                                          design.map = map_workspace(map_task(design), on_threads);
-                                          if (from == From::search) cover_as_searched(design, options.stop);
-                                        },
-                                        [&] {
-                                          if (detail == Detail::full) measure_footprint(design, options.stop);
-                                        },
-                                        beside};
-  run_parallel(std::size(jobs), threads, [&](std::size_t i) { jobs[i](); });
+  std::vector<Job> jobs{[&] {
+                          design.map = map_workspace(map_task(design), on_threads);
+                          if (from == From::search) cover_as_searched(design, options.stop);
+                        },
+                        why_layers,
+                        [&] {
+                          if (detail == Detail::full) measure_footprint(design, options.stop);
+                        },
+                        [&] {
+                          measure_copy_error(design);
+                          measure_loads(design, spec);
+                        }};
+  jobs.insert(threads > 1 ? jobs.begin() + 1 : jobs.end(), beside);
+  run_parallel(jobs.size(), threads, [&](std::size_t i) {
+    if (jobs[i]) jobs[i]();
+  });
   design.opening = design.map.certified_opening;
-  design.quality.size = linkage.size();
-  design.quality.transmission_min = smallest_transmission(linkage, design.region, design.opening);
+  design.quality.size = design.linkage.size();
+  design.quality.transmission_min = smallest_transmission(design.linkage, design.region, design.opening);
   design.quality.clearance_min = design.map.clearance_min;
-  measure_copy_error(design);
-  measure_loads(design, spec);
   measure_robustness(design);
-  return design;
 }
 
 /// Every assignment compared by its gap over the region, obstacles included.
@@ -259,18 +270,10 @@ MapTask map_task(const Design& design) {
 }
 
 Design assemble_design(const Spec& asked, const FoundDesign& found, const MapOptions& options, Detail detail,
-                       int threads) {
+                       int threads, const BesideMap& beside) {
   Spec spec = asked;
   if (found.section) use_section(spec.links.style, *found.section);
-  std::vector<std::string> why_not_fewer;
-  const auto ask_for_fewer_layers = [&] {
-    if (detail != Detail::full || found.layers.highest() <= 2 || options.stop()) return;
-    LayerChoice choice = layer_choice(spec, found.linkage, found.layers.highest(), options.stop);
-    if (!options.stop()) why_not_fewer = std::move(choice.why_not_fewer);
-  };
-  Design design = assembled(spec, found.linkage, found.layers, options, detail, From::search, threads,
-                            ask_for_fewer_layers);
-  design.why_not_fewer_layers = std::move(why_not_fewer);
+  Design design = unmapped(spec, found.linkage, found.layers);
   design.search = SearchRecord{.objective = objective_of(found.goal).value_or(spec.objective.objective),
                                .value = found.value,
                                .solvers = found.solvers,
@@ -279,16 +282,26 @@ Design assemble_design(const Spec& asked, const FoundDesign& found, const MapOpt
                                .complete = found.complete,
                                .obstacles_out_of_reach = names_out_of_reach(spec)};
   design.quality.proven_bound = found.proven_bound;
-  if (design.quality.robust) design.quality.robust->nominal_value = found.nominal_value;
   design.allowed = allowed_by(spec);
+  const auto ask_for_fewer_layers = [&] {
+    if (detail != Detail::full || found.layers.highest() <= 2 || options.stop()) return;
+    LayerChoice choice = layer_choice(spec, found.linkage, found.layers.highest(), options.stop);
+    if (!options.stop()) design.why_not_fewer_layers = std::move(choice.why_not_fewer);
+  };
+  const auto more = [&] {
+    if (beside) beside(design);
+  };
+  map_and_measure(design, spec, options, detail, From::search, threads, ask_for_fewer_layers, more);
+  if (design.quality.robust) design.quality.robust->nominal_value = found.nominal_value;
   return design;
 }
 
 tl::expected<Design, std::string> certified_design(const Spec& spec, const FoundDesign& found,
-                                                   const MapOptions& options, Detail detail, int threads) {
+                                                   const MapOptions& options, Detail detail, int threads,
+                                                   const BesideMap& beside) {
   if (!keeps_stock_lengths(found.linkage, spec.links.stock_lengths))
     return tl::unexpected(std::string("the design found has lengths that links does not allow"));
-  Design design = assemble_design(spec, found, options, detail, threads);
+  Design design = assemble_design(spec, found, options, detail, threads, beside);
   const auto& robust = design.quality.robust;
   if (design.map.coverage.covered && robust && !robust->holds)
     return tl::unexpected(std::string("the design found is not proven to be robust"));
@@ -297,12 +310,14 @@ tl::expected<Design, std::string> certified_design(const Spec& spec, const Found
 }
 
 Design assemble_given(const Spec& spec, const CopyingLinkage& linkage, const MapOptions& options) {
+  LayerChoice choice;
   if (spec.mechanism && spec.mechanism->layers)
-    return assembled(spec, linkage, LayerAssignment{*spec.mechanism->layers}, options, Detail::full,
-                     From::spec);
-  const LayerChoice choice = layer_choice(spec, linkage, spec.links.layers, options.stop);
-  Design design = assembled(spec, linkage, choice.best, options, Detail::full, From::spec);
-  design.why_not_fewer_layers = choice.why_not_fewer;
+    choice.best = LayerAssignment{*spec.mechanism->layers};
+  else
+    choice = layer_choice(spec, linkage, spec.links.layers, options.stop);
+  Design design = unmapped(spec, linkage, choice.best);
+  map_and_measure(design, spec, options, Detail::full, From::spec);
+  design.why_not_fewer_layers = std::move(choice.why_not_fewer);
   return design;
 }
 

@@ -3,6 +3,7 @@
 // not part of it (verification.hpp).
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <tl/expected.hpp>
 
@@ -18,15 +19,19 @@ enum class Detail {
   figures  ///< without the footprint, half the work beside the search, and without the reasons for its layers
 };
 
-/// The design that a search found, with the record of the search. On two `threads` or more the footprint and the reasons for its layers
-/// are worked out beside the map; the design is the same.
+/// What else is made of a design beside its map: it may look at what the spec and the search say of the design, its bound included, and at
+/// nothing that is measured.
+using BesideMap = std::function<void(const Design&)>;
+
+/// The design that a search found, with the record of the search. On two `threads` or more the footprint, the reasons for its layers and
+/// `beside` are worked out beside the map; the design is the same.
 Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options,
-                       Detail detail = Detail::full, int threads = 1);
+                       Detail detail = Detail::full, int threads = 1, const BesideMap& beside = {});
 
 /// The same, if its map shows that it covers the region; else a sentence that says why it is no design.
 tl::expected<Design, std::string> certified_design(const Spec& spec, const FoundDesign& found,
                                                    const MapOptions& options, Detail detail = Detail::full,
-                                                   int threads = 1);
+                                                   int threads = 1, const BesideMap& beside = {});
 
 /// By how much commands may exceed a time limit (s).
 inline double grace_after(double limit) { return std::max(0.1, 0.1 * limit); }
