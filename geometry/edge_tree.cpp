@@ -108,6 +108,7 @@ EdgeTree::Chord EdgeTree::chord_of(std::span<const std::uint32_t> some) const {
 }
 
 bool EdgeTree::winds_around(const Point& point) const {
+  if (empty() || (point.array() < nodes_.front().box.lower.array()).any()) return false;
   int winding = 0;
   const auto on_ray = [&](const Box& box) {
     return box.lower.y() <= point.y() && point.y() <= box.upper.y() && point.x() <= box.upper.x();

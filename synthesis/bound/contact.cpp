@@ -127,7 +127,9 @@ std::vector<LayerChoice> layer_choices(Complex k, Grounding grounding, int layer
   for (const LayerAssignment& each :
        as_searched ? assignments_worth_trying(*any, layers, obstacles, bodies, *as_searched)
                    : least_demanding_assignments(*any, layers, obstacles, bodies)) {
-    choices.push_back({each, keys_of(contact_pairs(*any, each))});
+    auto parts = contact_pairs(*any, each);
+    choices.push_back({each, keys_of(parts)});
+    choices.back().parts = std::move(parts);
     const auto like = std::find_if(choices.begin(), choices.end(), [&](const LayerChoice& other) {
       return other.pairs == choices.back().pairs;
     });

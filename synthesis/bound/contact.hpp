@@ -23,7 +23,8 @@ PairKey key_of(const ContactPair& pair);
 struct LayerChoice {
   LayerAssignment layers;
   std::vector<PairKey> pairs;
-  std::size_t like = 0;  ///< the place of the first assignment with the same pairs
+  std::size_t like = 0;              ///< the place of the first assignment with the same pairs
+  std::vector<ContactPair> parts{};  ///< the same pairs, as parts
   bool has(const PairKey& pair) const { return std::binary_search(pairs.begin(), pairs.end(), pair); }
 };
 

@@ -101,12 +101,17 @@ void RelaxedDesigns::look_at(const Box& box, const Candidate& candidate) {
       trials_ != nullptr && !(best_ < infinity) && !soft_tried_out_.contains(node.branch);
   if (is_soft && !may_be_soft) return;
   if (was_in_vain(node.branch, linkage)) return;
+  std::vector<std::optional<bool>> keep(branch.layers.size());  // where known; of those alike the first's
+  const auto keeps_clearance = [&](const LayerChoice& choice) {
+    auto& known = keep[choice.like];
+    if (!known)
+      known = keeps_gap_over(linkage, spec_.links.style, choice.parts, openings, spec_.limits.clearance);
+    return *known;
+  };
   const auto free = [&](const LayerChoice& choice) {
     if (!options_.self_contact) return true;
     const auto index = static_cast<std::size_t>(&choice - branch.layers.data());
-    return node.alive.has(index) &&
-           smallest_gap_over(linkage, spec_.links.style, choice.layers, openings).gap >=
-               spec_.limits.clearance &&
+    return node.alive.has(index) && keeps_clearance(choice) &&
            (box.obstacles == nullptr ||
             box.obstacles->is_clear(linkage.VA(), linkage.VB(), node.pole(), index, node.sight.hit));
   };

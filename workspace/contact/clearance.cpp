@@ -53,18 +53,20 @@ Point place_at_distance(const Region& region, const Point& pole, double radius) 
 /// several pairs are at their limit would else name one of them by rounding.
 constexpr double as_tight = 1e-7;
 
-/// Tries points of the region in the open cells; keeps the smallest gap found. `named` is that of the pair named.
+/// Tries points of the region in the open cells; keeps the smallest gap found, and ends with one below `enough`. `named` is that of the
+/// pair named.
 void improve(ClearanceFigure& best, double& named, const ContactScene& scene, const Encounters& encounters,
-             const Subdivision& cells, const StopFlag& stop) {
+             const Subdivision& cells, double enough, const StopFlag& stop) {
   const CopyingLinkage& linkage = cells.grid().linkage();
   const std::size_t stride = std::max<std::size_t>(1, cells.open().size() / tried_each_level);
-  for (std::size_t i = 0; i < cells.open().size() && !stop(); i += stride) {
+  for (std::size_t i = 0; i < cells.open().size() && best.gap >= enough && !stop(); i += stride) {
     const auto point = cells.region_point_in(cells.open()[i]);
     if (!point) continue;
     const Point reach = *point - linkage.pole();
     const auto opening = linkage.opening_at(reach.norm());
     if (!opening) continue;
-    const ObstacleGap here = tightest_obstacle(scene, encounters, *opening, std::atan2(reach.y(), reach.x()));
+    const ObstacleGap here =
+        tightest_obstacle(scene, encounters, *opening, std::atan2(reach.y(), reach.x()), best.gap);
     if (here.gap < named - as_tight * certain_to(linkage)) {
       best.parts = scene.piece_name(here.between) + " and " + scene.obstacle_name(here.between);
       best.at = *point;
@@ -74,8 +76,9 @@ void improve(ClearanceFigure& best, double& named, const ContactScene& scene, co
   }
 }
 
-/// The figure, or what of the moving parts and obstacles comes nearer over the openings.
-ClearanceFigure with_obstacles(const PreparedTask& prepared, ClearanceFigure best, const StopFlag& stop) {
+/// The figure, or what of the moving parts and obstacles comes nearer over the openings: the nearest, or the first below `enough`.
+ClearanceFigure with_obstacles(const PreparedTask& prepared, ClearanceFigure best, const StopFlag& stop,
+                               double enough = -infinity) {
   const auto& [task, openings, own, at_pole, scene, region] = prepared;
   const Encounters encounters = scene.nearer_than(best.gap);
   if (encounters.pairs.empty() || !(openings.width() > 0)) return best;
@@ -83,7 +86,8 @@ ClearanceFigure with_obstacles(const PreparedTask& prepared, ClearanceFigure bes
                     best.gap - certain_to(task.linkage), {.contacts_stay_open = true, .region_only = true});
   double named = best.gap;
   while (!cells.open().empty() && cells.open().size() < most_cells && !stop()) {
-    improve(best, named, scene, encounters, cells, stop);
+    improve(best, named, scene, encounters, cells, enough, stop);
+    if (best.gap < enough) return best;
     cells.lower_clearance(best.gap - certain_to(task.linkage));
     if (!cells.split(unless(stop))) break;
   }
@@ -93,7 +97,8 @@ ClearanceFigure with_obstacles(const PreparedTask& prepared, ClearanceFigure bes
 
 }  // namespace
 
-std::optional<ClearanceFigure> smallest_clearance(const PreparedTask& prepared, const StopFlag& stop) {
+std::optional<ClearanceFigure> smallest_clearance(const PreparedTask& prepared, const StopFlag& stop,
+                                                  double enough) {
   if (prepared.openings.empty()) return std::nullopt;
   const auto& [task, openings, own, at_pole, scene, region] = prepared;
   ClearanceFigure best{
@@ -103,11 +108,11 @@ std::optional<ClearanceFigure> smallest_clearance(const PreparedTask& prepared, 
     best.gap = post->gap;
     best.parts = post->post + " and " + post->obstacle;
   }
-  return with_obstacles(prepared, best, stop);
+  return with_obstacles(prepared, best, stop, enough);
 }
 
-std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const StopFlag& stop) {
-  return smallest_clearance(PreparedTask(task), stop);
+std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const StopFlag& stop, double enough) {
+  return smallest_clearance(PreparedTask(task), stop, enough);
 }
 
 ObstacleClearance obstacle_clearance(const MapTask& task, double within, const StopFlag& stop) {

@@ -16,9 +16,12 @@ struct ClearanceFigure {
 /// The smallest gap of any two parts, or of a part and an obstacle, a body or the table's edge, over the region; openings at which the
 /// assembly mode does not exist are left out. Self-contact in closed form, obstacles by branch and bound over the
 /// two angles. Nothing if the region is empty or nowhere reachable. A gap is at least minus the half widths:
-/// the depth of axes that cross is not measured. Stopped early, the smallest gap met so far comes back, not certified.
-std::optional<ClearanceFigure> smallest_clearance(const PreparedTask& task, const StopFlag& stop = {});
-std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const StopFlag& stop = {});
+/// the depth of axes that cross is not measured. Stopped early, the smallest gap met so far comes back, not certified; so does the first of an
+/// obstruction that is below `enough`.
+std::optional<ClearanceFigure> smallest_clearance(const PreparedTask& task, const StopFlag& stop = {},
+                                                  double enough = -infinity);
+std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const StopFlag& stop = {},
+                                                  double enough = -infinity);
 
 /// The same of moving parts and obstructions (obstructions.hpp) alone.
 struct ObstacleClearance {

@@ -185,8 +185,9 @@ namespace {
 /// Distance between a hull and an obstacle, 0 if it lies inside, or some figure >= `enough` if it is larger.
 double distance_to(const SceneObstacle& obstacle, const MovingHull& hull, double enough) {
   double least = enough;
+  const BoxDistance from_hull(hull);
   for_each_edge(
-      obstacle.edges, [&](const Box& box) { return distance_from_box(hull, box) < least; },
+      obstacle.edges, [&](const Box& box) { return from_hull.is_below(least, box); },
       [&](const EdgeTree::Edge& edge) { least = std::min(least, distance_to_edge(hull, edge)); });
   return obstacle.edges.winds_around(hull[0].at) ? 0 : least;
 }
@@ -194,8 +195,8 @@ double distance_to(const SceneObstacle& obstacle, const MovingHull& hull, double
 }  // namespace
 
 ObstacleGap tightest_obstacle(const ContactScene& scene, const Encounters& encounters, double opening,
-                              double bearing) {
-  ObstacleGap tightest{std::numeric_limits<double>::infinity()};
+                              double bearing, double below) {
+  ObstacleGap tightest{below};
   FramedJoints joints{};
   for (const SceneFrame frame : encounters.frames)
     joints[static_cast<std::size_t>(frame)] = scene.motion_in(frame).over(opening, 0, bearing, 0);

@@ -42,5 +42,8 @@ Tightest smallest_gap_over(const CopyingLinkage& linkage, const LinkStyle& style
 /// The same of the pairs given: pairs of pins and posts, or with links of one direction (VA and BCY, or VB and ACX).
 Tightest smallest_gap_over(const CopyingLinkage& linkage, const LinkStyle& style,
                            const std::vector<ContactPair>& pairs, const OpeningInterval& openings);
+/// Whether that gap is at least `clearance`: known sooner.
+bool keeps_gap_over(const CopyingLinkage& linkage, const LinkStyle& style,
+                    const std::vector<ContactPair>& pairs, const OpeningInterval& openings, double clearance);
 
 }  // namespace kempe

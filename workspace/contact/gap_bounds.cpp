@@ -191,23 +191,18 @@ double distance_to_edge(const MovingHull& hull, const EdgeTree::Edge& edge) {
   return std::sqrt(nearest_points(hull, edge).squared);
 }
 
-double distance_from_box(const MovingHull& hull, const Box& box) {
-  const Point& a = hull[0].at;
-  Box own{a, a};
+BoxDistance::BoxDistance(const MovingHull& hull) : own_{hull[0].at, hull[0].at} {
   for (std::size_t corner = 1; corner < hull.size(); ++corner) {
     const Point& at = hull[corner].at;
-    own = {own.lower.cwiseMin(at), own.upper.cwiseMax(at)};
+    own_ = {own_.lower.cwiseMin(at), own_.upper.cwiseMax(at)};
   }
-  const double apart = distance(own, box);
-  if (hull.size() != 2) return apart;
-  // A slanting segment: its own normal may separate better than the axes do.
-  const Point along = hull[1].at - a;
+  if (hull.size() != 2) return;
+  start_ = hull[0].at;
+  const Point along = hull[1].at - start_;
   const double length = along.norm();
-  if (!(length > 0)) return apart;
-  const Point normal(-along.y() / length, along.x() / length);
-  const Point middle = 0.5 * (box.lower + box.upper), extent = 0.5 * (box.upper - box.lower);
-  const double beside = std::abs(normal.dot(middle - a)) - normal.cwiseAbs().dot(extent);
-  return std::max(apart, beside);
+  if (!(length > 0)) return;
+  is_segment_ = true;
+  normal_ = Point(-along.y() / length, along.x() / length);
 }
 
 }  // namespace kempe

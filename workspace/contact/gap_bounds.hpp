@@ -16,7 +16,9 @@
 //     distance from y to the line >= ( l n.(p - y) + l n.d - |n.(p - y)| |u.w| - |w| |d| ) / sqrt((l + |u.w|)^2 + |w|^2):
 // the cross product of line and p - y over the line's length. Of a rigid link u.w is of second order.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "geometry/edge_tree.hpp"
@@ -80,7 +82,28 @@ GapBounds bounds_to_edge(const MovingHull& hull, const EdgeTree::Edge& edge, con
 /// The distance between the hull in the middle of the rectangle and an edge, mm.
 double distance_to_edge(const MovingHull& hull, const EdgeTree::Edge& edge);
 
-/// A lower bound of the distance between the hull in the middle of the rectangle and a box, mm.
-double distance_from_box(const MovingHull& hull, const Box& box);
+/// Lower bounds of the distance between the hull in the middle of the rectangle and boxes, mm.
+class BoxDistance {
+ public:
+  explicit BoxDistance(const MovingHull& hull);
+  /// The larger of what the axes and a segment's own normal tell.
+  double of(const Box& box) const { return std::max(distance(own_, box), beside(box)); }
+  bool is_below(double enough, const Box& box) const {
+    return distance(own_, box) < enough && beside(box) < enough;
+  }
+
+ private:
+  /// A slanting segment: its own normal may separate better than the axes do. Of other hulls 0.
+  double beside(const Box& box) const {
+    if (!is_segment_) return 0;
+    const Point middle = 0.5 * (box.lower + box.upper), extent = 0.5 * (box.upper - box.lower);
+    return std::abs(normal_.dot(middle - start_)) - normal_.cwiseAbs().dot(extent);
+  }
+
+  Box own_;
+  bool is_segment_ = false;
+  Point start_ = Point::Zero(), normal_ = Point::Zero();
+};
+inline double distance_from_box(const MovingHull& hull, const Box& box) { return BoxDistance(hull).of(box); }
 
 }  // namespace kempe

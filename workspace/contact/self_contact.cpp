@@ -76,6 +76,14 @@ struct RelativeMotion {
   double angle_at(double opening) const { return phase + sense * opening; }
   double distance_at(double angle) const { return polygon.distance(as_point(std::polar(radius, angle))); }
   double scale() const { return radius + polygon.corner[0].norm() + kept; }
+  /// True if the polygon lies so deep in the circle that the gap is larger, surely, wherever the point is.
+  bool is_farther_everywhere(double gap) const {
+    constexpr double surely = 1e-9;
+    double farthest = 0;
+    for (std::size_t i = 0; i < polygon.count; ++i)
+      farthest = std::max(farthest, polygon.corner[i].squaredNorm());
+    return radius - std::sqrt(farthest) - kept - gap > surely * (radius + kept + std::abs(gap));
+  }
 };
 
 /// Angles on a circle; at most four for each corner of a polygon, and two ends.
@@ -251,6 +259,22 @@ Tightest smallest_gap_over(const CopyingLinkage& linkage, const LinkStyle& style
     });
   });
   return tightest;
+}
+
+bool keeps_gap_over(const CopyingLinkage& linkage, const LinkStyle& style,
+                    const std::vector<ContactPair>& pairs, const OpeningInterval& openings,
+                    double clearance) {
+  if (openings.empty()) return true;
+  bool keeps = true;
+  for_each_motion(linkage, style, pairs, [&](std::size_t, const RelativeMotion& motion) {
+    if (!keeps || motion.is_farther_everywhere(clearance)) return;
+    const auto look_at = [&](double opening) {
+      keeps = keeps && !(motion.distance_at(motion.angle_at(opening)) - motion.kept < clearance);
+    };
+    look_at(openings.lower);
+    if (keeps) for_each_candidate(motion, openings, look_at);
+  });
+  return keeps;
 }
 
 std::vector<ContactOpenings> contact_openings(const CopyingLinkage& linkage, const LinkStyle& style,

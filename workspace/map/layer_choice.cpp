@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <tuple>
+#include <utility>
 
 #include "geometry/fixed_text.hpp"
 #include "workspace/contact/clearance.hpp"
@@ -37,16 +38,45 @@ double widest_free(const MapTask& task) {
   return width;
 }
 
-LayerFinding finding_of(MapTask task, const LayerAssignment& layers, const Compared& by, double best_gap,
+/// Gaps and openings nearer to each other than this are equal, mm and rad.
+constexpr double same_gap = 1e-9;
+
+/// The largest gaps met so far, mm.
+class BestGaps {
+ public:
+  double of_all() const { return of_all_; }
+  /// Of assignments to so many layers that leave none of them empty, or that leave one: of each kind the best is told of alone.
+  double alike(const LayerAssignment& layers) const {
+    const auto found = by_kind_.find(kind_of(layers));
+    return found == by_kind_.end() ? -infinity : found->second;
+  }
+  void add(const LayerFinding& finding) {
+    of_all_ = std::max(of_all_, finding.gap);
+    double& best = by_kind_.try_emplace(kind_of(finding.layers), -infinity).first->second;
+    best = std::max(best, finding.gap);
+  }
+
+ private:
+  using Kind = std::pair<int, bool>;
+  static Kind kind_of(const LayerAssignment& layers) { return {layers.highest(), layers.is_stacked()}; }
+
+  double of_all_ = -infinity;
+  std::map<Kind, double> by_kind_;
+};
+
+LayerFinding finding_of(MapTask task, const LayerAssignment& layers, const Compared& by, const BestGaps& best,
                         const StopFlag& stop) {
   task.layers = layers;
   const Tightest own = smallest_gap_over(task.linkage, task.style, layers, by.openings);
   LayerFinding finding{
       layers, own.gap, name(*own.pair), task.linkage.tracer_at(own.opening, 0), false, widest_free(task),
       true};
-  if (by.of_region && own.gap < best_gap && has_obstructions(task)) {
+  const double clearly_worse = best.alike(layers) - 2 * same_gap;
+  if (by.of_region && own.gap < best.of_all() && has_obstructions(task)) {
     finding.compared = false;
-  } else if (const auto figure = by.of_region ? smallest_clearance(task, stop) : std::nullopt) {
+  } else if (const auto figure =
+                 by.of_region ? smallest_clearance(task, stop, clearly_worse) : std::nullopt) {
+    finding.compared = figure->gap >= clearly_worse;
     finding.gap = figure->gap;
     finding.parts = figure->parts;
     finding.at = figure->at;
@@ -54,9 +84,6 @@ LayerFinding finding_of(MapTask task, const LayerAssignment& layers, const Compa
   finding.keeps_clearance = finding.gap >= task.limits.clearance;
   return finding;
 }
-
-/// Gaps and openings nearer to each other than this are equal, mm and rad.
-constexpr double same_gap = 1e-9;
 
 /// Larger is better; the last digits do not count.
 double rank_of(double figure) { return -std::round(figure / same_gap); }
@@ -89,11 +116,11 @@ std::vector<LayerAssignment> compared_assignments(const MapTask& task, int layer
 LayerChoice choose_layers(const MapTask& task, int layers, const StopFlag& stop) {
   LayerChoice choice;
   const Compared by = compared_openings(task);
-  double best_gap = -std::numeric_limits<double>::infinity();
+  BestGaps best_gaps;
   for (const LayerAssignment& assignment : compared_assignments(task, layers)) {
     if (stop() && !choice.findings.empty()) break;
-    choice.findings.push_back(finding_of(task, assignment, by, best_gap, stop));
-    if (choice.findings.back().compared) best_gap = std::max(best_gap, choice.findings.back().gap);
+    choice.findings.push_back(finding_of(task, assignment, by, best_gaps, stop));
+    if (choice.findings.back().compared) best_gaps.add(choice.findings.back());
   }
   const auto order = [&](const LayerFinding& one) {
     return std::tuple(!one.compared, by.of_region ? rank_of(one.gap) : 0, rank_of(one.free_opening),

@@ -18,7 +18,8 @@ struct LayerFinding {
   bool keeps_clearance = false;
   /// rad, widest interval of usable openings without contact of the links themselves
   double free_opening = 0;
-  /// False: links alone already come nearer than in a better assignment, obstacles were not tried
+  /// False: it is no better than another for links alone, and obstacles were not tried, or than another of as many layers with a gap that
+  /// was met on the way
   bool compared = true;
 };
 
