@@ -11,7 +11,8 @@ namespace kempe {
 
 /// At a text's end the number with so many decimals; what they show as zero has no minus sign: "0.000" for -0.0001.
 inline void append_fixed_text(std::string& to, double value, int decimals) {
-  std::array<char, 720> digits{};  // 309 before the point, at most 400 after it
+  // 309 before the point, at most 400 after it; to fill them first would take longer than the number.
+  std::array<char, 720> digits;
   const auto written =
       std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals);
   std::string_view text(digits.data(), static_cast<std::size_t>(written.ptr - digits.data()));

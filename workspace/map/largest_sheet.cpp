@@ -31,12 +31,19 @@ Point turned_by(const Point& point, double cosine, double sine) {
   return {cosine * point.x() - sine * point.y(), sine * point.x() + cosine * point.y()};
 }
 
-/// Rectangles of one proportion in a region.
+/// A region, not empty, as every search for a sheet asks it.
+struct Free {
+  EdgeTree edges;
+  Box box;
+  explicit Free(const Region& region) : edges(region, Point::Zero()), box(bounding_box(region)) {}
+};
+
+/// Rectangles of one proportion in a region, which must outlive the object.
 class SheetFinder {
  public:
-  SheetFinder(const Region& region, double proportion, const StopFlag& stop)
-      : tree_(region, Point::Zero()), proportion_(proportion), corner_(std::hypot(1, proportion)),
-        box_(bounding_box(region)), stop_(stop) {}
+  SheetFinder(const Free& region, double proportion, const StopFlag& stop)
+      : tree_(region.edges), proportion_(proportion), corner_(std::hypot(1, proportion)), box_(region.box),
+        stop_(stop) {}
 
   /// Half the height of the largest rectangle about a centre at a turn; 0 if the centre lies outside.
   double half_height_at(const Point& centre, double turn, double at_most) const {
@@ -136,7 +143,7 @@ class SheetFinder {
   /// The largest square of pixels whose middles lie inside, at one turn.
   Place coarse(double turn) const;
 
-  EdgeTree tree_;
+  const EdgeTree& tree_;
   double proportion_,
       corner_;  ///< width, and distance of a corner from the middle, of a rectangle with half a height of 1
   Box box_;
@@ -232,8 +239,7 @@ std::vector<double> turns_to_try(bool turned) {
   return all;
 }
 
-std::optional<Place> best_place(const Region& region, double proportion, bool turned, const StopFlag& stop) {
-  if (region.empty()) return std::nullopt;
+std::optional<Place> best_place(const Free& region, double proportion, bool turned, const StopFlag& stop) {
   const SheetFinder finder(region, proportion, stop);
   Place best;
   for (const Place& place : finder.candidates(turns_to_try(turned))) {
@@ -269,7 +275,7 @@ constexpr std::array<IsoSheet, 9> iso_sheets{{{"A0", 1189, 841},
                                               {"A7", 105, 74},
                                               {"A8", 74, 52}}};
 
-std::optional<FittingSheet> largest_iso_sheet(const Region& region, bool turned, const StopFlag& stop) {
+std::optional<FittingSheet> largest_iso_sheet(const Free& region, bool turned, const StopFlag& stop) {
   const auto place = best_place(region, std::sqrt(2.0), turned, stop);
   if (!place) return std::nullopt;
   for (const IsoSheet& sheet : iso_sheets) {
@@ -282,7 +288,7 @@ std::optional<FittingSheet> largest_iso_sheet(const Region& region, bool turned,
   return std::nullopt;
 }
 
-std::optional<FittingSheet> largest_rectangle(const Region& region, double proportion, bool turned,
+std::optional<FittingSheet> largest_rectangle(const Free& region, double proportion, bool turned,
                                               const StopFlag& stop) {
   const auto place = best_place(region, proportion, turned, stop);
   if (!place) return std::nullopt;
@@ -310,13 +316,16 @@ std::optional<double> proportion_of(const Region& region) {
 
 std::optional<FittingSheet> largest_rectangle(const ArcRegion& region, double proportion, bool turned,
                                               const StopFlag& stop) {
-  return largest_rectangle(flattened_finely(region), proportion, turned, stop);
+  const Region flat = flattened_finely(region);
+  if (flat.empty()) return std::nullopt;
+  return largest_rectangle(Free(flat), proportion, turned, stop);
 }
 
 std::optional<FittingSheet> largest_iso_sheet(const ArcRegion& region, const StopFlag& stop) {
-  const Region flattened_once = flattened_finely(region);
-  return wider(
-      {largest_iso_sheet(flattened_once, false, stop), largest_iso_sheet(flattened_once, true, stop)});
+  const Region flat = flattened_finely(region);
+  if (flat.empty()) return std::nullopt;
+  const Free once(flat);
+  return wider({largest_iso_sheet(once, false, stop), largest_iso_sheet(once, true, stop)});
 }
 
 std::optional<Point> format_size(std::string_view name) {
@@ -327,15 +336,17 @@ std::optional<Point> format_size(std::string_view name) {
 
 std::vector<FittingSheet> largest_sheets(const ArcRegion& free, const Region& like, const StopFlag& stop,
                                          int threads) {
-  const Region flattened_once = flattened_finely(free);
+  const Region flat = flattened_finely(free);
+  if (flat.empty()) return {};
+  const Free once(flat);
   const std::optional<double> proportion = proportion_of(like);
   TwoWays iso, alike;
   run_parallel(proportion ? 4 : 2, threads, [&](std::size_t job) {
     const bool turned = job % 2 == 1;
     if (job < 2)
-      iso[job] = largest_iso_sheet(flattened_once, turned, stop);
+      iso[job] = largest_iso_sheet(once, turned, stop);
     else
-      alike[job - 2] = largest_rectangle(flattened_once, *proportion, turned, stop);
+      alike[job - 2] = largest_rectangle(once, *proportion, turned, stop);
   });
   std::vector<FittingSheet> sheets;
   if (auto sheet = wider(iso)) sheets.push_back(std::move(*sheet));

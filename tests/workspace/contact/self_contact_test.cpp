@@ -106,6 +106,13 @@ TEST(SelfContact, SmallestGapOverAnIntervalIsNeverBelowItAndIsAttained) {
       const double opening = within.lower + within.width() * sample / 200;
       EXPECT_GE(tightest_gap(linkage, linkage.pose_at(opening, 1), style, layers).gap, tightest.gap - 1e-9);
     }
+    const auto keeps = [&](double clearance) {
+      return keeps_gap_over(linkage, style, contact_pairs(linkage, layers), within, clearance);
+    };
+    EXPECT_TRUE(keeps(tightest.gap));
+    EXPECT_TRUE(keeps(tightest.gap - dice.between(0, 20)));
+    EXPECT_FALSE(keeps(tightest.gap + 1e-9));
+    EXPECT_FALSE(keeps(tightest.gap + dice.between(0.001, 20)));
   }
 }
 
