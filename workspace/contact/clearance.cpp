@@ -65,8 +65,7 @@ void improve(ClearanceFigure& best, double& named, const ContactScene& scene, co
     const Point reach = *point - linkage.pole();
     const auto opening = linkage.opening_at(reach.norm());
     if (!opening) continue;
-    const ObstacleGap here =
-        tightest_obstacle(scene, encounters, *opening, std::atan2(reach.y(), reach.x()), best.gap);
+    const ObstacleGap here = tightest_obstacle(scene, encounters, *opening, std::atan2(reach.y(), reach.x()));
     if (here.gap < named - as_tight * certain_to(linkage)) {
       best.parts = scene.piece_name(here.between) + " and " + scene.obstacle_name(here.between);
       best.at = *point;

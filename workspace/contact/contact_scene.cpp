@@ -195,8 +195,8 @@ double distance_to(const SceneObstacle& obstacle, const MovingHull& hull, double
 }  // namespace
 
 ObstacleGap tightest_obstacle(const ContactScene& scene, const Encounters& encounters, double opening,
-                              double bearing, double below) {
-  ObstacleGap tightest{below};
+                              double bearing) {
+  ObstacleGap tightest{std::numeric_limits<double>::infinity()};
   FramedJoints joints{};
   for (const SceneFrame frame : encounters.frames)
     joints[static_cast<std::size_t>(frame)] = scene.motion_in(frame).over(opening, 0, bearing, 0);

@@ -98,9 +98,8 @@ struct ObstacleGap {
   double gap;
   Encounter between{};
 };
-/// Gaps that are not below `below` are not looked for: it comes back then.
 ObstacleGap tightest_obstacle(const ContactScene& scene, const Encounters& encounters, double opening,
-                              double bearing, double below = infinity);
+                              double bearing);
 inline ObstacleGap tightest_obstacle(const ContactScene& scene, double opening, double bearing) {
   return tightest_obstacle(scene, scene.encounters, opening, bearing);
 }
