@@ -180,10 +180,10 @@ void map_and_measure(Design& design, const Spec& spec, const MapOptions& options
   measure_robustness(design);
 }
 
-/// Every assignment compared by its gap over the region, obstacles included.
-LayerChoice layer_choice(const Spec& spec, const CopyingLinkage& linkage, int most_layers,
-                         const StopFlag& stop) {
-  return choose_layers(map_task(linkage, {}, spec), most_layers, stop);
+/// Every assignment compared by its gap over the region, obstacles included. `likely`: what may be the best of them.
+LayerChoice layer_choice(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& likely,
+                         int most_layers, const StopFlag& stop) {
+  return choose_layers(map_task(linkage, likely, spec), most_layers, stop);
 }
 
 InputError no_mechanism(const std::string& file) {
@@ -285,7 +285,7 @@ Design assemble_design(const Spec& asked, const FoundDesign& found, const MapOpt
   design.allowed = allowed_by(spec);
   const auto ask_for_fewer_layers = [&] {
     if (detail != Detail::full || found.layers.highest() <= 2 || options.stop()) return;
-    LayerChoice choice = layer_choice(spec, found.linkage, found.layers.highest(), options.stop);
+    LayerChoice choice = layer_choice(spec, found.linkage, found.layers, found.layers.highest(), options.stop);
     if (!options.stop()) design.why_not_fewer_layers = std::move(choice.why_not_fewer);
   };
   const auto more = [&] {
@@ -314,7 +314,7 @@ Design assemble_given(const Spec& spec, const CopyingLinkage& linkage, const Map
   if (spec.mechanism && spec.mechanism->layers)
     choice.best = LayerAssignment{*spec.mechanism->layers};
   else
-    choice = layer_choice(spec, linkage, spec.links.layers, options.stop);
+    choice = layer_choice(spec, linkage, {}, spec.links.layers, options.stop);
   Design design = unmapped(spec, linkage, choice.best);
   map_and_measure(design, spec, options, Detail::full, From::spec);
   design.why_not_fewer_layers = std::move(choice.why_not_fewer);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -52,6 +53,9 @@ class BestGaps {
   }
   void add(const LayerFinding& finding) {
     of_all_ = std::max(of_all_, finding.gap);
+    add_to_its_kind(finding);
+  }
+  void add_to_its_kind(const LayerFinding& finding) {
     double& best = by_kind_.try_emplace(kind_of(finding.layers), -infinity).first->second;
     best = std::max(best, finding.gap);
   }
@@ -116,10 +120,18 @@ std::vector<LayerAssignment> compared_assignments(const MapTask& task, int layer
 LayerChoice choose_layers(const MapTask& task, int layers, const StopFlag& stop) {
   LayerChoice choice;
   const Compared by = compared_openings(task);
+  const std::vector<LayerAssignment> assignments = compared_assignments(task, layers);
   BestGaps best_gaps;
-  for (const LayerAssignment& assignment : compared_assignments(task, layers)) {
+  std::optional<LayerFinding> of_task;
+  if (std::find(assignments.begin(), assignments.end(), task.layers) != assignments.end()) {
+    of_task = finding_of(task, task.layers, by, best_gaps, stop);
+    best_gaps.add_to_its_kind(*of_task);
+  }
+  for (const LayerAssignment& assignment : assignments) {
     if (stop() && !choice.findings.empty()) break;
-    choice.findings.push_back(finding_of(task, assignment, by, best_gaps, stop));
+    choice.findings.push_back(of_task && assignment == task.layers
+                                  ? *of_task
+                                  : finding_of(task, assignment, by, best_gaps, stop));
     if (choice.findings.back().compared) best_gaps.add(choice.findings.back());
   }
   const auto order = [&](const LayerFinding& one) {

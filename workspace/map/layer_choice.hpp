@@ -33,8 +33,8 @@ struct LayerChoice {
   std::vector<std::string> why_not_fewer;
 };
 
-/// Tries every assignment to at most `layers` layers (>= 2) for the task (whose own layers are ignored); with
-/// empty layers only those that no lower one replaces (layer_demands.hpp).
+/// Tries every assignment to at most `layers` layers (>= 2) for the task; with empty layers only those that no lower one replaces
+/// (layer_demands.hpp). The task's own layers are looked at first: where they are good, the others need less time.
 /// Without a region, or where the assembly mode reaches none of it, the gap is that over all openings that keep
 /// the transmission limit. Deterministic: equal gaps are ranked by the number of layers, then in the order of
 /// layer_assignments(). Stopped early, the best of those tried so far, at least one.
