@@ -325,22 +325,33 @@ void ObstacleTest::demand_more(double margin, const std::vector<Point>& places) 
 }
 
 bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t layers,
-                            const std::optional<Hit>& first) {
+                            const std::optional<Hit>& first, LayerSet& left) {
   const LogLengths lengths{std::log(VA), std::log(VB)};
   const SideLengths sides = reach_.sides(lengths);
-  const auto is_clear_at = [&](const Point& place) {
-    if (stop_()) return false;
+  const auto hit_at = [&](const Point& place) {
     const PlacedJoints joints(reach_, roles_, lengths, sides, pole, place);
-    return std::none_of(terms_.begin(), terms_.end(), [&](const Term& term) {
+    return std::find_if(terms_.begin(), terms_.end(), [&](const Term& term) {
       return term.layers.has(layers) && obstacle_gap(term.what, scene_->shapes[term.what.obstacle], joints,
                                                      clearance_, Beyond::anything) < clearance_;
     });
   };
+  const auto is_clear_at = [&](const Point& place) {
+    if (stop_()) return false;
+    const auto hit = hit_at(place);
+    if (hit != terms_.end()) left.remove(hit->layers);
+    return hit == terms_.end();
+  };
   const auto is_kept = [&](const Place& place) {
-    return (place.layers && *place.layers != layers) || is_clear_at(place.at);
+    if (!place.layers) return is_clear_at(place.at);
+    return *place.layers != layers || (!stop_() && hit_at(place.at) == terms_.end());
   };
   if (first && !is_kept(places_[first->place])) return false;
-  if (!std::all_of(places_.begin(), places_.end(), is_kept)) return false;
+  if (last_hit_ < places_.size() && !is_kept(places_[last_hit_])) return false;
+  const auto lost = std::find_if_not(places_.begin(), places_.end(), is_kept);
+  if (lost != places_.end()) {
+    last_hit_ = static_cast<std::size_t>(lost - places_.begin());
+    return false;
+  }
   const auto hit = std::find_if_not(scene_->many_places.begin(), scene_->many_places.end(), is_clear_at);
   if (hit == scene_->many_places.end()) return true;
   if (!stop_() && places_.size() < most_places) places_.push_back({*hit});

@@ -75,8 +75,10 @@ class ObstacleTest {
   }
 
   /// True if a design keeps its clearance at very many places. One where it does not is looked at in every box from then on.
-  /// `first`: where it may well not be kept.
-  bool is_clear(double VA, double VB, const Point& pole, std::size_t layers, const std::optional<Hit>& first);
+  /// `first`: where it may well not be kept. `left`: without the assignments in which the same part is in the way at the same place,
+  /// if it is not.
+  bool is_clear(double VA, double VB, const Point& pole, std::size_t layers, const std::optional<Hit>& first,
+                LayerSet& left);
 
   /// Looks at the middle of a box at very many places, and at the one where it is hit most deeply in every box from then on, if that is
   /// more than twice as deep as at the places looked at so far. `alive`: of the box.
@@ -115,6 +117,7 @@ class ObstacleTest {
   Range usable_;  ///< |psi| that keep the transmission limit
   std::shared_ptr<const ObstacleScene> scene_;
   std::vector<Place> places_;  ///< looked at in every box
+  std::size_t last_hit_ = 0;   ///< of the places: where a design was not clear, so that the next may well not be
   std::vector<Term> terms_;
   LayerSet hit_by_the_copy_{};    ///< in which something is hit whatever the lengths are
   std::size_t convex_pairs_ = 0;  ///< what the terms cost: those with a shape of few parts one, others two

@@ -108,12 +108,13 @@ void RelaxedDesigns::look_at(const Box& box, const Candidate& candidate) {
       known = keeps_gap_over(linkage, spec_.links.style, choice.parts, openings, spec_.limits.clearance);
     return *known;
   };
+  LayerSet left = node.alive;  // of which none is known not to be clear
   const auto free = [&](const LayerChoice& choice) {
     if (!options_.self_contact) return true;
     const auto index = static_cast<std::size_t>(&choice - branch.layers.data());
-    return node.alive.has(index) && keeps_clearance(choice) &&
+    return left.has(index) && keeps_clearance(choice) &&
            (box.obstacles == nullptr ||
-            box.obstacles->is_clear(linkage.VA(), linkage.VB(), node.pole(), index, node.sight.hit));
+            box.obstacles->is_clear(linkage.VA(), linkage.VB(), node.pole(), index, node.sight.hit, left));
   };
   const auto layers = std::find_if(branch.layers.begin(), branch.layers.end(), free);
   if (layers == branch.layers.end()) return;
