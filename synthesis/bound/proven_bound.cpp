@@ -12,6 +12,7 @@
 #include <queue>
 #include <set>
 
+#include "kinematics/parallel.hpp"
 #include "synthesis/bound/contact_cuts.hpp"
 #include "synthesis/bound/load_floor.hpp"
 #include "synthesis/bound/load_trade.hpp"
@@ -122,24 +123,31 @@ class Tree {
       for (const AssemblyMode& mode : assembly_modes(shape_of(spec_.copy.k(), grounding))) {
         if (options_.stop()) return false;
         branches_.push_back(bounding::make_branch(spec_, grounding, mode, layers, options_.shortest));
-        if (sees_obstacles()) add_obstacle_test(branches_.back());
         if (sees_loads()) {
           load_floors_.emplace_back(spec_, branches_.back().mode);
           load_trades_.emplace_back(spec_, branches_.back().mode);
         }
-        const ModeFacts& a = branches_.back().mode;
-        if (a.a.empty() || a.b.empty() || a.allowed.empty()) continue;
-        TreeNode root;
-        root.branch = branches_.size() - 1;
-        poles_.plant(root);
-        root.lengths = {{a.b.lower / a.a.upper * 0.999, a.b.upper / a.a.lower * 1.001},
-                        {2 * a.a.lower * a.b.lower * 0.999, 2 * a.a.upper * a.b.upper * 1.001}};
-        root.alive = bounding::LayerSet::all(layers.size());
-        if (sees_obstacles()) root.alive.remove(obstacle_tests_.back()->hit_by_the_copy());
-        if (!root.alive.empty() && poles_.measure(root)) grow_from(root);
       }
     }
+    if (sees_obstacles()) set_up_obstacle_tests();
+    for (std::size_t branch = 0; branch < branches_.size(); ++branch) {
+      if (options_.stop()) return false;
+      plant(branch);
+    }
     return true;
+  }
+
+  void plant(std::size_t branch) {
+    const ModeFacts& a = branches_[branch].mode;
+    if (a.a.empty() || a.b.empty() || a.allowed.empty()) return;
+    TreeNode root;
+    root.branch = branch;
+    poles_.plant(root);
+    root.lengths = {{a.b.lower / a.a.upper * 0.999, a.b.upper / a.a.lower * 1.001},
+                    {2 * a.a.lower * a.b.lower * 0.999, 2 * a.a.upper * a.b.upper * 1.001}};
+    root.alive = bounding::LayerSet::all(branches_[branch].layers.size());
+    if (sees_obstacles()) root.alive.remove(obstacle_tests_[branch]->hit_by_the_copy());
+    if (!root.alive.empty() && poles_.measure(root)) grow_from(root);
   }
 
   /// Shrinks, bounds and keeps a box, or drops it.
@@ -179,12 +187,16 @@ class Tree {
     return options_.load_limit && spec_.limits.load_error && spec_.load && spec_.material;
   }
 
-  void add_obstacle_test(const Branch& branch) {
-    std::vector<LayerAssignment> layers;
-    for (const bounding::LayerChoice& choice : branch.layers) layers.push_back(choice.layers);
-    if (!obstacle_scene_) obstacle_scene_ = bounding::obstacle_scene(spec_, options_.stop);
-    obstacle_tests_.push_back(
-        std::make_unique<bounding::ObstacleTest>(spec_, branch.mode, layers, obstacle_scene_, options_.stop));
+  /// One for each branch.
+  void set_up_obstacle_tests() {
+    const auto scene = bounding::obstacle_scene(spec_, options_.stop);
+    obstacle_tests_.resize(branches_.size());
+    run_parallel(branches_.size(), options_.threads, [&](std::size_t branch) {
+      std::vector<LayerAssignment> layers;
+      for (const bounding::LayerChoice& choice : branches_[branch].layers) layers.push_back(choice.layers);
+      obstacle_tests_[branch] = std::make_unique<bounding::ObstacleTest>(spec_, branches_[branch].mode,
+                                                                         layers, scene, options_.stop);
+    });
   }
 
   /// Drops layer assignments in which every design of the box has a part in an obstacle, body or the table's edge; false if none is left.
@@ -302,7 +314,6 @@ class Tree {
   bool by_size_;
   bounding::PolePlaces poles_;
   std::vector<Branch> branches_;
-  std::shared_ptr<const bounding::ObstacleScene> obstacle_scene_;
   std::vector<std::unique_ptr<bounding::ObstacleTest>>
       obstacle_tests_;                            // one a branch, if there are obstacles
   std::vector<bounding::LoadFloor> load_floors_;  // one a branch, if loads are to be seen

@@ -67,6 +67,8 @@ struct BoundOptions {
   bool load_limit = false;
   /// Least distance of two joints of a link, mm, instead of the spec's least_joint_distance().
   std::optional<double> shortest = std::nullopt;
+  /// Threads that set up the tests for obstacles; the tree itself grows on one.
+  int threads = 1;
   /// Ends the tree early: what is proven so far comes back, as when the boxes run out.
   StopFlag stop{};
   /// Told now and then the share of the work done, 0..1, which never falls: of the gap that was to be closed, or of the boxes.

@@ -22,6 +22,7 @@ class TreeSearch {
                                         .boxes = task_.budgets().tree.boxes,
                                         .load_limit = true,
                                         .shortest = task_.limits.shortest,
+                                        .threads = task_.control.options().threads,
                                         .stop = task_.stop(),
                                         .progress = task_.control.progress_of("searching")},
                                        trials());
