@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/sector.hpp"
+#include "workspace/contact/copy_contact.hpp"
 #include "workspace/contact/subdivision.hpp"
 #include "workspace/reach.hpp"
 
@@ -53,6 +54,10 @@ Point place_at_distance(const Region& region, const Point& pole, double radius) 
 /// several pairs are at their limit would else name one of them by rounding.
 constexpr double as_tight = 1e-7;
 
+std::string parts_of(const ContactScene& scene, const Encounter& between) {
+  return scene.piece_name(between) + " and " + scene.obstacle_name(between);
+}
+
 /// Tries points of the region in the open cells; keeps the smallest gap found, and ends with one below `enough`. `named` is that of the
 /// pair named.
 void improve(ClearanceFigure& best, double& named, const ContactScene& scene, const Encounters& encounters,
@@ -67,7 +72,7 @@ void improve(ClearanceFigure& best, double& named, const ContactScene& scene, co
     if (!opening) continue;
     const ObstacleGap here = tightest_obstacle(scene, encounters, *opening, std::atan2(reach.y(), reach.x()));
     if (here.gap < named - as_tight * certain_to(linkage)) {
-      best.parts = scene.piece_name(here.between) + " and " + scene.obstacle_name(here.between);
+      best.parts = parts_of(scene, here.between);
       best.at = *point;
       named = here.gap;
     }
@@ -79,7 +84,14 @@ void improve(ClearanceFigure& best, double& named, const ContactScene& scene, co
 ClearanceFigure with_obstacles(const PreparedTask& prepared, ClearanceFigure best, const StopFlag& stop,
                                double enough = -infinity) {
   const auto& [task, openings, own, at_pole, scene, region] = prepared;
-  const Encounters encounters = scene.nearer_than(best.gap);
+  Encounters encounters = scene.nearer_than(best.gap);
+  if (openings_over(task.linkage, task.region)) {
+    const CopyContacts contacts = copy_contacts(task, scene, encounters, best.gap);
+    encounters = contacts.others;
+    if (const auto& copy = contacts.smallest)
+      best = {copy->gap, parts_of(scene, copy->between), copy->at, best.certified};
+    if (best.gap < enough) return best;
+  }
   if (encounters.pairs.empty() || !(openings.width() > 0)) return best;
   Subdivision cells(scene, encounters, region, AngleGrid(task.linkage, openings),
                     best.gap - certain_to(task.linkage), {.contacts_stay_open = true, .region_only = true});

@@ -105,11 +105,12 @@ std::vector<std::vector<ScenePiece>> turning_pieces_of(const MapTask& task) {
   return of_bodies;
 }
 
-void add_once(std::vector<SceneFrame>& frames, SceneFrame frame) {
+}  // namespace
+
+void Encounters::add(const Encounter& between, SceneFrame frame) {
+  pairs.push_back(between);
   if (std::find(frames.begin(), frames.end(), frame) == frames.end()) frames.push_back(frame);
 }
-
-}  // namespace
 
 ContactScene::ContactScene(const MapTask& task, double within)
     : corners(corners_of(task)), motion(task.linkage, task.linkage.pole_joint(), corners),
@@ -150,8 +151,8 @@ ContactScene::ContactScene(const MapTask& task, double within)
       const ScenePiece& one = pieces[piece];
       const Apart apart{nearest, farthest_of(motion_in(frame), one.hull) + one.half_width};
       if (!apart.may_come_within(within)) return;
-      encounters.pairs.push_back(
-          {static_cast<std::uint32_t>(piece), static_cast<std::uint32_t>(obstacles.size())});
+      encounters.add({static_cast<std::uint32_t>(piece), static_cast<std::uint32_t>(obstacles.size())},
+                     frame);
       apart_.push_back(apart);
     };
     for (std::size_t i = 0; i < of_linkage; ++i) {
@@ -166,17 +167,14 @@ ContactScene::ContactScene(const MapTask& task, double within)
     }
     if (encounters.pairs.size() == before) continue;
     obstacles.push_back(std::move(obstacle));
-    add_once(encounters.frames, frame);
   }
 }
 
 Encounters ContactScene::nearer_than(double gap) const {
   Encounters nearer;
   for (std::size_t i = 0; i < apart_.size(); ++i)
-    if (apart_[i].may_come_within(gap)) {
-      nearer.pairs.push_back(encounters.pairs[i]);
-      add_once(nearer.frames, obstacles[encounters.pairs[i].obstacle].frame);
-    }
+    if (apart_[i].may_come_within(gap))
+      nearer.add(encounters.pairs[i], obstacles[encounters.pairs[i].obstacle].frame);
   return nearer;
 }
 

@@ -48,6 +48,9 @@ struct Encounter {
 struct Encounters {
   std::vector<Encounter> pairs;    ///< none of the pole post and what is at rest on the table: neither moves
   std::vector<SceneFrame> frames;  ///< of their obstacles, each once
+
+  /// `frame`: the obstacle's.
+  void add(const Encounter& between, SceneFrame frame);
 };
 
 struct ContactScene {

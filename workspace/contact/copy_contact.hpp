@@ -1,0 +1,29 @@
+#pragma once
+// What stands at pole, tracer or pen alone: a post, a pin, the point of a body that keeps its direction. The copy says where it is, whatever
+// the lengths are, seen from the table or from another of the three points: a fixed multiple of the tracer's place from the pole. So
+// its smallest gap to an obstruction over the region is the distance between an image of the region and the obstruction, exact up to
+// rounding, where cells of angles would have to be as small as the figure is fine all along an edge of the region.
+
+#include <optional>
+
+#include "workspace/contact/contact_scene.hpp"
+
+namespace kempe {
+
+/// A gap and where it is.
+struct CopyGap {
+  double gap;  ///< mm; as ObstacleGap's
+  Encounter between;
+  Point at;  ///< the tracer's place, in the region
+};
+
+struct CopyContacts {
+  std::optional<CopyGap> smallest{};  ///< of those that the copy decides about; absent: none is below what was asked
+  Encounters others{};                ///< those that it says nothing about
+};
+
+/// Divides a scene's encounters. Gaps of `below` (mm) and more are not told. The linkage must reach the whole region, which is not empty.
+CopyContacts copy_contacts(const MapTask& task, const ContactScene& scene, const Encounters& encounters,
+                           double below);
+
+}  // namespace kempe
