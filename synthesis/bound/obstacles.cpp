@@ -129,8 +129,9 @@ bool ObstacleTest::is_hit_by_the_copy(const PoleSpec& pole, const ObstacleTerm& 
   return std::any_of(scene_->many_places.begin(), scene_->many_places.end(), [&](const Point& place) {
     if (!may_be_hit(place) || place == poles.centre || stop_()) return false;
     const PlacedJoints joints(reach_, roles_, {}, poles.centre, place);
-    const JointMoves moves = copying_joints_move_at_most(mode_, k_, any, place, joints.all());
     const double gap = obstacle_gap(end, obstacle, joints, clearance_);
+    if (gap >= clearance_) return false;
+    const JointMoves moves = copying_joints_move_at_most(mode_, k_, any, place, joints.all());
     return gap + moves[static_cast<std::size_t>(joint)] + gap_rounding(end, joints) < clearance_;
   });
 }
