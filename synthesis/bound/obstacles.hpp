@@ -117,7 +117,8 @@ class ObstacleTest {
   Range usable_;  ///< |psi| that keep the transmission limit
   std::shared_ptr<const ObstacleScene> scene_;
   std::vector<Place> places_;  ///< looked at in every box
-  std::size_t last_hit_ = 0;   ///< of the places: where a design was not clear, so that the next may well not be
+  std::size_t last_hit_ =
+      0;  ///< of the places: where a design was not clear, so that the next may well not be
   std::vector<Term> terms_;
   LayerSet hit_by_the_copy_{};    ///< in which something is hit whatever the lengths are
   std::size_t convex_pairs_ = 0;  ///< what the terms cost: those with a shape of few parts one, others two

@@ -285,7 +285,8 @@ Design assemble_design(const Spec& asked, const FoundDesign& found, const MapOpt
   design.allowed = allowed_by(spec);
   const auto ask_for_fewer_layers = [&] {
     if (detail != Detail::full || found.layers.highest() <= 2 || options.stop()) return;
-    LayerChoice choice = layer_choice(spec, found.linkage, found.layers, found.layers.highest(), options.stop);
+    LayerChoice choice =
+        layer_choice(spec, found.linkage, found.layers, found.layers.highest(), options.stop);
     if (!options.stop()) design.why_not_fewer_layers = std::move(choice.why_not_fewer);
   };
   const auto more = [&] {

@@ -18,8 +18,9 @@ struct CopyGap {
 };
 
 struct CopyContacts {
-  std::optional<CopyGap> smallest{};  ///< of those that the copy decides about; absent: none is below what was asked
-  Encounters others{};                ///< those that it says nothing about
+  std::optional<CopyGap>
+      smallest{};       ///< of those that the copy decides about; absent: none is below what was asked
+  Encounters others{};  ///< those that it says nothing about
 };
 
 /// Divides a scene's encounters. Gaps of `below` (mm) and more are not told. The linkage must reach the whole region, which is not empty.

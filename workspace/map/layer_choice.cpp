@@ -129,9 +129,8 @@ LayerChoice choose_layers(const MapTask& task, int layers, const StopFlag& stop)
   }
   for (const LayerAssignment& assignment : assignments) {
     if (stop() && !choice.findings.empty()) break;
-    choice.findings.push_back(of_task && assignment == task.layers
-                                  ? *of_task
-                                  : finding_of(task, assignment, by, best_gaps, stop));
+    choice.findings.push_back(
+        of_task && assignment == task.layers ? *of_task : finding_of(task, assignment, by, best_gaps, stop));
     if (choice.findings.back().compared) best_gaps.add(choice.findings.back());
   }
   const auto order = [&](const LayerFinding& one) {
