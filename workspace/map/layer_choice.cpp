@@ -42,20 +42,15 @@ double widest_free(const MapTask& task) {
 /// Gaps and openings nearer to each other than this are equal, mm and rad.
 constexpr double same_gap = 1e-9;
 
-/// The largest gaps met so far, mm.
+/// The largest gaps met so far, mm, of assignments alike: to so many layers, leaving none of them empty, or leaving one. Of each kind the
+/// best is told of alone.
 class BestGaps {
  public:
-  double of_all() const { return of_all_; }
-  /// Of assignments to so many layers that leave none of them empty, or that leave one: of each kind the best is told of alone.
   double alike(const LayerAssignment& layers) const {
     const auto found = by_kind_.find(kind_of(layers));
     return found == by_kind_.end() ? -infinity : found->second;
   }
   void add(const LayerFinding& finding) {
-    of_all_ = std::max(of_all_, finding.gap);
-    add_to_its_kind(finding);
-  }
-  void add_to_its_kind(const LayerFinding& finding) {
     double& best = by_kind_.try_emplace(kind_of(finding.layers), -infinity).first->second;
     best = std::max(best, finding.gap);
   }
@@ -64,7 +59,6 @@ class BestGaps {
   using Kind = std::pair<int, bool>;
   static Kind kind_of(const LayerAssignment& layers) { return {layers.highest(), layers.is_stacked()}; }
 
-  double of_all_ = -infinity;
   std::map<Kind, double> by_kind_;
 };
 
@@ -76,7 +70,7 @@ LayerFinding finding_of(MapTask task, const LayerAssignment& layers, const Compa
       layers, own.gap, name(*own.pair), task.linkage.tracer_at(own.opening, 0), false, widest_free(task),
       true};
   const double clearly_worse = best.alike(layers) - 2 * same_gap;
-  if (by.of_region && own.gap < best.of_all() && has_obstructions(task)) {
+  if (by.of_region && own.gap < clearly_worse && has_obstructions(task)) {
     finding.compared = false;
   } else if (const auto figure =
                  by.of_region ? smallest_clearance(task, stop, clearly_worse) : std::nullopt) {
@@ -125,7 +119,7 @@ LayerChoice choose_layers(const MapTask& task, int layers, const StopFlag& stop)
   std::optional<LayerFinding> of_task;
   if (std::find(assignments.begin(), assignments.end(), task.layers) != assignments.end()) {
     of_task = finding_of(task, task.layers, by, best_gaps, stop);
-    best_gaps.add_to_its_kind(*of_task);
+    best_gaps.add(*of_task);
   }
   for (const LayerAssignment& assignment : assignments) {
     if (stop() && !choice.findings.empty()) break;

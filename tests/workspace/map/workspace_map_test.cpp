@@ -441,6 +441,38 @@ TEST(LayerChoice, ObstacleInALayerDrivesTheLinksOutOfIt) {
   for (const LayerAssignment& layers : layer_assignments(2)) EXPECT_LE(gap(layers), gap(blocked.best) + 1e-2);
 }
 
+TEST(LayerChoice, WhatIsSaidOfFewerLayersIsTrueOfTheirBestAssignment) {
+  test::Dice dice(41);
+  int asked = 0;
+  for (int i = 0; i < 40; ++i) {
+    MapTask task = report_task();
+    task.region = {{box(60, -5, 8, 10)}};
+    for (int obstacle = 0; obstacle < 4; ++obstacle) {
+      const double angle = dice.between(0, 2 * pi), away = dice.between(10, 120);
+      const int layer = 1 + dice.below(3);
+      task.obstacles.push_back(
+          block(box(away * std::cos(angle), away * std::sin(angle), 6, 6), layer, layer));
+    }
+    const LayerChoice choice = choose_layers(task, 4);
+    const auto gap = [&](const LayerAssignment& layers) {
+      MapTask one = task;
+      one.layers = layers;
+      return smallest_clearance(one)->gap;
+    };
+    for (int fewer = 2; fewer < choice.best.highest(); ++fewer) {
+      const auto told = std::find_if(choice.findings.begin(), choice.findings.end(),
+                                     [&](const LayerFinding& one) { return one.layers.highest() == fewer; });
+      ASSERT_NE(told, choice.findings.end());
+      for (const LayerAssignment& layers : layer_assignments(fewer))
+        if (layers.highest() == fewer && layers.is_stacked()) {
+          EXPECT_LE(gap(layers), told->gap + 0.02) << i;
+        }
+      ++asked;
+    }
+  }
+  EXPECT_GT(asked, 20);
+}
+
 TEST(LayerChoice, LinksStandAboveAnEmptyLayerWhereThatHelpsAndItSaysSo) {
   MapTask task{.linkage = *CopyingLinkage::make({-0.5, 0}, Grounding::pole, 37.7, 44.8, 0),
                .style = {15, 6, 4, PlateStyle::bent},
