@@ -218,10 +218,12 @@ void write_words(Sheet& sheet, const Plan& plan) {
   for (const NamedRegion& body : plan.bodies) words.write_in(body.name, plan.view, body.region, text_height);
   words.write_in("original", plan.view, plan.task.design.region, text_height);
   words.write_in("copy", plan.view, plan.copy, text_height);
+  constexpr std::size_t most_numbers = 200;  // on a plan with more nothing could be read
   int number = 0;
   for (const Mark& mark : plan.marks) {
     draw_cross(sheet, plan.view.at(mark.at));
-    words.write(fmt::format("{}", ++number), plan.view.at(mark.at), cross_half, heading_height);
+    if (plan.marks.size() <= most_numbers)
+      words.write(fmt::format("{}", ++number), plan.view.at(mark.at), cross_half, heading_height);
   }
 }
 
