@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "geometry/edge_tree.hpp"
 #include "geometry/regions/region_algebra.hpp"
@@ -128,6 +129,23 @@ std::optional<NearestPlaces> nearest_places(const Region& one, const Region& oth
       [&] { return best.distance > 0 ? best.distance : -1.0; },  // nothing is nearer than a crossing
       [&](const EdgeTree::Edge& a, const EdgeTree::Edge& b) { offer(best, a, b); });
   return best;
+}
+
+std::optional<NearestPlaces> nearest_edges(const EdgeTree& one, const EdgeTree& other, double enough) {
+  if (one.empty() || other.empty()) return std::nullopt;
+  NearestPlaces best{enough, Point::Zero(), Point::Zero()};
+  const bool one_is_smaller = one.node(0).edges <= other.node(0).edges;
+  const EdgeTree &few = one_is_smaller ? one : other, &many = one_is_smaller ? other : one;
+  for (std::uint32_t i = 0; i < few.node(0).edges && best.distance > 0; ++i) {
+    const EdgeTree::Edge& edge = few.edge(i);
+    const Box box = box_of(edge);
+    for_each_edge(
+        many, [&](const Box& there) { return best.distance > 0 && distance(box, there) < best.distance; },
+        [&](const EdgeTree::Edge& there) {
+          one_is_smaller ? offer(best, edge, there) : offer(best, there, edge);
+        });
+  }
+  return best.distance < enough ? std::optional(best) : std::nullopt;
 }
 
 bool are_apart(const Region& one, const Region& other, double gap) {

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "geometry/arc_polygon.hpp"
+#include "geometry/edge_tree.hpp"
 
 namespace kempe {
 
@@ -38,5 +39,7 @@ struct NearestPlaces {
 };
 /// Nothing if one of them is empty.
 std::optional<NearestPlaces> nearest_places(const Region& one, const Region& other);
+/// The same of edges alone, whatever they enclose, by trees that are there already; nothing where none are nearer than `enough`, mm.
+std::optional<NearestPlaces> nearest_edges(const EdgeTree& one, const EdgeTree& other, double enough);
 
 }  // namespace kempe

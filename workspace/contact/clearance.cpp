@@ -54,6 +54,11 @@ Point place_at_distance(const Region& region, const Point& pole, double radius) 
 /// several pairs are at their limit would else name one of them by rounding.
 constexpr double as_tight = 1e-7;
 
+ClearanceFigure uncertified(ClearanceFigure figure) {
+  figure.certified = false;
+  return figure;
+}
+
 std::string parts_of(const ContactScene& scene, const Encounter& between) {
   return scene.piece_name(between) + " and " + scene.obstacle_name(between);
 }
@@ -86,11 +91,12 @@ ClearanceFigure with_obstacles(const PreparedTask& prepared, ClearanceFigure bes
   const auto& [task, openings, own, at_pole, scene, region] = prepared;
   Encounters encounters = scene.nearer_than(best.gap);
   if (openings_over(task.linkage, task.region)) {
-    const CopyContacts contacts = copy_contacts(task, scene, encounters, best.gap);
+    const CopyContacts contacts =
+        copy_contacts(prepared, encounters, best.gap, as_tight * certain_to(task.linkage), stop);
     encounters = contacts.others;
     if (const auto& copy = contacts.smallest)
       best = {copy->gap, parts_of(scene, copy->between), copy->at, best.certified};
-    if (best.gap < enough) return best;
+    if (best.gap < enough) return uncertified(best);
   }
   if (encounters.pairs.empty() || !(openings.width() > 0)) return best;
   Subdivision cells(scene, encounters, region, AngleGrid(task.linkage, openings),
@@ -98,7 +104,7 @@ ClearanceFigure with_obstacles(const PreparedTask& prepared, ClearanceFigure bes
   double named = best.gap;
   while (!cells.open().empty() && cells.open().size() < most_cells && !stop()) {
     improve(best, named, scene, encounters, cells, enough, stop);
-    if (best.gap < enough) return best;
+    if (best.gap < enough) return uncertified(best);
     cells.lower_clearance(best.gap - certain_to(task.linkage));
     if (!cells.split(unless(stop))) break;
   }

@@ -6,7 +6,8 @@
 
 #include <optional>
 
-#include "workspace/contact/contact_scene.hpp"
+#include "kinematics/stop_flag.hpp"
+#include "workspace/contact/prepared_task.hpp"
 
 namespace kempe {
 
@@ -20,11 +21,12 @@ struct CopyGap {
 struct CopyContacts {
   std::optional<CopyGap>
       smallest{};       ///< of those that the copy decides about; absent: none is below what was asked
-  Encounters others{};  ///< those that it says nothing about
+  Encounters others{};  ///< those that it says nothing about, and once stopped those not yet looked at
 };
 
-/// Divides a scene's encounters. Gaps of `below` (mm) and more are not told. The linkage must reach the whole region, which is not empty.
-CopyContacts copy_contacts(const MapTask& task, const ContactScene& scene, const Encounters& encounters,
-                           double below);
+/// Divides some of a scene's encounters. Gaps of `below` (mm) and more are not told; of those nearer to each other than `alike` (mm) the
+/// first is named. The linkage must reach the whole region, which is not empty.
+CopyContacts copy_contacts(const PreparedTask& prepared, const Encounters& encounters, double below,
+                           double alike, const StopFlag& stop = {});
 
 }  // namespace kempe

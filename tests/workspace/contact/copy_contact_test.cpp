@@ -47,8 +47,8 @@ MapTask random_task(Dice& dice) {
     for (const Carrier carrier : {Carrier::tracer, Carrier::pen})
       task.bodies.push_back(body_at(dice, carrier, 0.3 * size));
     for (int i = 0; i < 3; ++i) {
-      const Point at = linkage.pole() + as_point(std::polar(reach.outer * dice.between(0.2, 1.5),
-                                                            dice.between(-pi, pi)));
+      const Point at =
+          linkage.pole() + as_point(std::polar(reach.outer * dice.between(0.2, 1.5), dice.between(-pi, pi)));
       task.obstacles.push_back({.shape = {star(dice, at, 0.3 * size), {}}});
     }
     return task;
@@ -73,8 +73,9 @@ TEST(CopyContact, GapIsTheLeastOfManyPosesAndIsMet) {
   for (int i = 0; i < 300; ++i) {
     const MapTask task = random_task(dice);
     const CopyingLinkage& linkage = task.linkage;
-    const ContactScene scene(task, 1e4);
-    const CopyContacts contacts = copy_contacts(task, scene, scene.encounters, infinity);
+    const PreparedTask prepared(task, 1e4);
+    const ContactScene& scene = prepared.scene;
+    const CopyContacts contacts = copy_contacts(prepared, scene.encounters, infinity, 1e-9);
     const Encounters asked = of_the_copy(scene, contacts.others);
     ASSERT_GT(asked.pairs.size(), 4u);  // the bodies' points and the posts at least
     ASSERT_TRUE(contacts.smallest);
@@ -90,11 +91,13 @@ TEST(CopyContact, GapIsTheLeastOfManyPosesAndIsMet) {
       const Point from = outer[corner], to = outer[(corner + 1) % outer.size()];
       constexpr int steps = 200;
       spacing = std::max(spacing, (to - from).norm() / steps);
-      for (int step = 0; step < steps; ++step) sampled = std::min(sampled, gap_at(from + step * (to - from) / steps));
+      for (int step = 0; step < steps; ++step)
+        sampled = std::min(sampled, gap_at(from + step * (to - from) / steps));
     }
     const Box box = bounding_box(task.region);
     for (int k = 0; k < 300; ++k) {
-      const Point inside(dice.between(box.lower.x(), box.upper.x()), dice.between(box.lower.y(), box.upper.y()));
+      const Point inside(dice.between(box.lower.x(), box.upper.x()),
+                         dice.between(box.lower.y(), box.upper.y()));
       if (contains(task.region, inside)) sampled = std::min(sampled, gap_at(inside));
     }
     const double moved = std::max({1.0, std::abs(linkage.k()), std::abs(linkage.k() - 1.0)}) * spacing;
@@ -114,12 +117,16 @@ TEST(CopyContact, NothingIsToldThatIsNotBelowWhatWasAsked) {
   Dice dice(2032);
   for (int i = 0; i < 100; ++i) {
     const MapTask task = random_task(dice);
-    const ContactScene scene(task, 1e4);
-    const double smallest = copy_contacts(task, scene, scene.encounters, infinity).smallest->gap;
-    EXPECT_FALSE(copy_contacts(task, scene, scene.encounters, smallest).smallest);
-    const auto below = copy_contacts(task, scene, scene.encounters, smallest + 1e-3).smallest;
+    const PreparedTask prepared(task, 1e4);
+    const Encounters& all = prepared.scene.encounters;
+    const double smallest = copy_contacts(prepared, all, infinity, 0).smallest->gap;
+    const auto below = copy_contacts(prepared, all, smallest + 1e-3, 0).smallest;
     ASSERT_TRUE(below);
     EXPECT_EQ(below->gap, smallest);
+    EXPECT_FALSE(copy_contacts(prepared, all, smallest - 1e-9, 0).smallest);
+    const CopyContacts stopped = copy_contacts(prepared, all, infinity, 0, [] { return true; });
+    EXPECT_FALSE(stopped.smallest);
+    EXPECT_EQ(stopped.others.pairs.size(), all.pairs.size());
   }
 }
 
