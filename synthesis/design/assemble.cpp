@@ -161,10 +161,10 @@ void map_and_measure(Design& design, const Spec& spec, const MapOptions& options
                           design.map = map_workspace(map_task(design), on_threads);
                           if (from == From::search) cover_as_searched(design, options.stop);
                         },
-                        why_layers,
                         [&] {
                           if (detail == Detail::full) measure_footprint(design, options.stop);
                         },
+                        why_layers,
                         [&] {
                           measure_copy_error(design);
                           measure_loads(design, spec);
