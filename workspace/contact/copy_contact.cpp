@@ -137,7 +137,7 @@ CopyContacts copy_contacts(const PreparedTask& prepared, const Encounters& encou
     const double gap = found->first - around;
     if (!contacts.smallest || gap < named - alike) {
       contacts.smallest =
-          CopyGap{gap, between, linkage.pole() + as_point(as_complex(found->second) / *times)};
+          PointGap{gap, between, linkage.pole() + as_point(as_complex(found->second) / *times)};
       named = gap;
     }
     contacts.smallest->gap = gap;

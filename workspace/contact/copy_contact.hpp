@@ -12,14 +12,14 @@
 namespace kempe {
 
 /// A gap and where it is.
-struct CopyGap {
+struct PointGap {
   double gap;  ///< mm; as ObstacleGap's
   Encounter between;
   Point at;  ///< the tracer's place, in the region
 };
 
 struct CopyContacts {
-  std::optional<CopyGap>
+  std::optional<PointGap>
       smallest{};       ///< of those that the copy decides about; absent: none is below what was asked
   Encounters others{};  ///< those that it says nothing about, and once stopped those not yet looked at
 };
