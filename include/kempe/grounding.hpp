@@ -15,7 +15,7 @@ enum class Grounding {
   tracer,  ///< pole X, tracer V, pen Y; s = 1 - k    (drawing pantograph)
   pen      ///< pole X, tracer Y, pen V; s = 1 - 1/k  (variable ratio pantograph)
 };
-/// The three, in the order in which they are looked at and told.
+/// The three, in the order in which they are looked at and listed.
 inline constexpr std::array<Grounding, 3> all_groundings{Grounding::pole, Grounding::tracer, Grounding::pen};
 
 /// "pole", "tracer" or "pen".

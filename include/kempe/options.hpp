@@ -17,7 +17,7 @@ struct Options {
   std::optional<double> time_limit{};
   /// Asked often, perhaps from several threads; once true it must stay true. The best so far then comes back.
   std::function<bool()> stop{};
-  /// Told what is being done ("searching", "proving a bound", "mapping", ...) and the share of that which is done, 0..1; each
+  /// Called with what is being done ("searching", "proving a bound", "mapping", ...) and the share of that which is done, 0..1; each
   /// begins anew. Called from one thread at a time.
   std::function<void(double share, std::string_view what)> progress{};
   bool diagnose = true;  ///< look for the least relaxations where there is no design

@@ -47,7 +47,7 @@ class Centres {
   std::vector<InstantCentre> all() {
     for (int i = 0; i < static_cast<int>(linkage_.constraints().size()); ++i)
       if (!linkage_.is_driver(i)) read_joint(i);
-    read_prismatic_pairs();
+    read_sliding_pairs();
     read_wheels();
     while (known_.size() < pair_count()) {
       if (add_best_crossing()) continue;
@@ -115,8 +115,8 @@ class Centres {
     }
   }
 
-  /// Two links with a slot and no turning between them: a prismatic pair, whose centre is primary.
-  void read_prismatic_pairs() {
+  /// Two links with a slot and no turning between them: a sliding pair, whose centre is primary.
+  void read_sliding_pairs() {
     for (const auto& [pair, lines] : lines_) {
       if (lines.size() < 2) continue;
       const Projective at = lines[0].line.cross(lines[1].line);

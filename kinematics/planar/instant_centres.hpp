@@ -31,7 +31,7 @@ struct CentreLine {
 struct InstantCentre {
   enum class Kind { finite, at_infinity, undetermined };
   enum class Source {
-    primary,  ///< a joint, a prismatic pair or a pitch point
+    primary,  ///< a joint, a sliding pair or a pitch point
     lines,    ///< two lines meet there
     rates,    ///< from the velocities alone: lines do not give it (two freedoms, or an indeterminate chain)
     none      ///< the two links do not move against each other

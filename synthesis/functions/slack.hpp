@@ -68,7 +68,7 @@ inline constexpr double told_ripples = 1e-6;
 inline constexpr double holding_limit = 1e-5;
 /// None: step of central differences of exact slopes.
 inline constexpr double curvature_step = 1e-5;
-/// Share of the error: ripples are level. None: the pull on every unknown and the last step are nil; squares of the latter lie
+/// Share of the error: ripples are level. None: the pull on every unknown and the last step are zero; squares of the latter lie
 /// at rounding.
 inline constexpr double level = 1e-9, no_pull = 1e-7;
 /// Share of the largest singular value: those below are rounding.

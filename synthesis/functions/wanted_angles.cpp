@@ -59,7 +59,7 @@ Peak run_up(const FunctionTask& task, int sign, double lower, double top, double
     if (gain <= slack::peak_settles * first_gain && fall <= slack::peak_settles * first_fall)
       return {top, heights.back(), false};
   }
-  // Far from nil numbers lie so wide apart that a few halvings tell nothing.
+  // Far from zero numbers lie so wide apart that a few halvings tell nothing.
   const std::size_t last = heights.size() - 1;
   if (task.stop() || last < least_rounds) return {top, heights.back(), false};
   const double at_first = heights[last / 3] - heights.front(),

@@ -36,7 +36,7 @@ class PathProgram {
     return timed_ ? x[angles_at] + turns_[static_cast<std::size_t>(i)] : x[angles_at + i];
   }
 
-  /// Whether the task gives this unknown: it keeps its value, and the errors' slope along it counts as nil.
+  /// Whether the task gives this unknown: it keeps its value, and the errors' slope along it counts as zero.
   bool is_given(int unknown) const { return given_[static_cast<std::size_t>(unknown)].has_value(); }
 
   /// Sets what the task gives, and z0, z1, z2 to the best for the ratios and angles; false where the loop does not close at every
@@ -101,7 +101,7 @@ Eigen::VectorXd refined_path(const PathProgram& program, PathAim aim, int most_e
 Eigen::VectorXd polished_path(const PathProgram& program, PathAim aim, const Eigen::VectorXd& x,
                               std::size_t& evaluations);
 
-/// From x that meets the points to one that does too with a larger least transmission angle: NLopt (SLSQP), the errors kept nil, no unknown u moved by
+/// From x that meets the points to one that does too with a larger least transmission angle: NLopt (SLSQP), the errors kept at zero, no unknown u moved by
 /// more than reach (1 + |u|).
 Eigen::VectorXd led_to_larger_transmission(const PathProgram& program, double reach, int most_evaluations,
                                            const Eigen::VectorXd& x, std::size_t& evaluations);

@@ -40,7 +40,7 @@ double last_unknown(const VectorXd& u, VectorXd* gradient) {
   return u[u.size() - 1];
 }
 
-/// The path's limits, in the first rows; the slopes along what lies behind its unknowns are nil.
+/// The path's limits, in the first rows; the slopes along what lies behind its unknowns are zero.
 void keep_limits(const PathProgram& path, const VectorXd& x, PathValues& scratch, ConstraintValues& values,
                  ConstraintGradients* gradients) {
   path.limits(x, scratch.value, gradients ? &scratch.slope : nullptr);

@@ -10,7 +10,7 @@ namespace {
 
 using namespace row_parts;
 
-/// The same for the largest sag, which costs much more.
+/// Openings at which the rows know the largest sag: fewer than of the load error (load_openings), as each costs much more.
 constexpr int sag_openings = 5;
 /// Times its limit: what a sag counts as that the equations do not give.
 constexpr double largest_sag_counted = 1e6;

@@ -113,8 +113,8 @@ class Transcription : public Ipopt::TNLP {
   static Vector vector(Index n, const Number* x) { return Eigen::Map<const Eigen::VectorXd>(x, n); }
 
   ConstraintValues rows(const Vector& x, ConstraintGradients* gradients) const {
-    const Index own = program_.constraint_count, nil = program_.equality_count;
-    ConstraintValues values(own + nil);
+    const Index own = program_.constraint_count, equalities = program_.equality_count;
+    ConstraintValues values(own + equalities);
     const auto fill = [&](const typename Program::Rows& some, Index first, Index count) {
       if (count == 0) return;
       ConstraintValues part(count);
@@ -124,7 +124,7 @@ class Transcription : public Ipopt::TNLP {
       if (gradients) gradients->middleRows(first, count) = slopes;
     };
     fill(program_.constraints, 0, own);
-    fill(program_.equalities, own, nil);
+    fill(program_.equalities, own, equalities);
     return values;
   }
 

@@ -34,7 +34,7 @@ std::string_view name(Cause cause) {
     case Cause::obstacle_contact: return "contact";
     case Cause::copy_overlap: break;
   }
-  return "sheet overlap";
+  return "overlap of original and copy";
 }
 
 std::vector<RegionLoss> region_losses(const std::vector<LostArea>& lost, const Region& region) {

@@ -140,7 +140,7 @@ Point centre_of(const Point& a, const Point& b, const Point& c) {
       Eigen::Vector2d(b.squaredNorm() - a.squaredNorm(), c.squaredNorm() - a.squaredNorm()) / 2);
 }
 
-/// The least angle at B over the motion, by the law of cosines at 400 places; nil where the loop opens.
+/// The least angle at B over the motion, by the law of cosines at 400 places; zero where the loop opens.
 double least_angle(const Point& A0, const Point& B0, double a, double b, double c, double from, double to) {
   double least = pi;
   for (int i = 0; i <= 400; ++i) {
