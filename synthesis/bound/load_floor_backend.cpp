@@ -40,14 +40,7 @@ struct ArmForces {
 /// What synthesis/loads/link_forces.hpp derives, in intervals: the components of the forces on a plate at its joints, for 1 N at Y.
 struct PlateForces {
   ArmForces corner, C, tip;
-  const ArmForces& at(PlateArm::End end) const {
-    switch (end) {
-      case PlateArm::End::corner: return corner;
-      case PlateArm::End::C: return C;
-      case PlateArm::End::tip: break;
-    }
-    return tip;
-  }
+  const ArmForces& at(PlateArm::End end) const { return force_at(end, corner, C, tip); }
 };
 
 void add_plate(const std::array<PlateArm, 2>& arms, const PlateForces& forces, const Interval& across,

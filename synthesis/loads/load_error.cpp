@@ -44,16 +44,6 @@ std::array<double, bucket_count> factors_of(const BarLengths& lengths) {
 
 double inertia(const LinkStyle& style) { return style.thickness * std::pow(style.width, 3) / 12; }
 
-template <class Force>
-const Force& force_at(PlateArm::End end, const Force& corner, const Force& C, const Force& tip) {
-  switch (end) {
-    case PlateArm::End::corner: return corner;
-    case PlateArm::End::C: return C;
-    case PlateArm::End::tip: break;
-  }
-  return tip;
-}
-
 }  // namespace
 
 std::array<PlateArm, 2> plate_arms(Complex third, bool straight) {

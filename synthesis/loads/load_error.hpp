@@ -49,6 +49,16 @@ struct PlateArm {
   double length;                          ///< as a share of the plate's length from its corner to C
   double cube() const { return length * length * length; }
 };
+/// Of the forces on a plate at its joints the one at an arm's end.
+template <class Force>
+const Force& force_at(PlateArm::End end, const Force& corner, const Force& C, const Force& tip) {
+  switch (end) {
+    case PlateArm::End::corner: return corner;
+    case PlateArm::End::C: return C;
+    case PlateArm::End::tip: break;
+  }
+  return tip;
+}
 /// The arms of ACX or BCY, whose third joint stands at `third` where the corner stands at 0 and C at 1.
 std::array<PlateArm, 2> plate_arms(Complex third, bool straight);
 

@@ -18,16 +18,6 @@ double distance(const Corners& hull, const Polygon& obstacle) {
   return least;
 }
 
-/// A lower bound of that distance.
-double distance_of_boxes(const Corners& hull, const Box& box) {
-  Point lower = hull.front(), upper = lower;
-  for (const Point& corner : hull) {
-    lower = lower.cwiseMin(corner);
-    upper = upper.cwiseMax(corner);
-  }
-  return (lower - box.upper).cwiseMax(box.lower - upper).cwiseMax(0.0).norm();
-}
-
 Polygon seen_from(const Point& pole, Polygon shape) {
   for (Point& corner : shape.outer) corner -= pole;
   for (Ring& hole : shape.holes)
@@ -59,7 +49,7 @@ std::optional<ObstacleWatch::Near> ObstacleWatch::nearest(const Pose& pose, doub
     const Solid& obstacle = obstacles_[meeting.obstacle];
     const double wanted = (found ? found->gap : within) + piece.half_width;
     const Corners corners = plain::corners_of(piece.hull, pose);
-    if (!(distance_of_boxes(corners, obstacle.box) < wanted)) continue;
+    if (!(plain::distance_of_boxes(corners, obstacle.box) < wanted)) continue;
     const double axis = distance(corners, obstacle.shape);
     if (axis < wanted) found = Near{axis - piece.half_width, piece.part, obstacle.name};
   }

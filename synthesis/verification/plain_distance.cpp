@@ -5,13 +5,17 @@
 #include <limits>
 
 namespace kempe::plain {
+
+double nearest_share(const Point& point, const Point& from, const Point& along) {
+  const double squared = along.squaredNorm();
+  return squared > 0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0;
+}
+
 namespace {
 
 double distance(const Point& point, const Point& from, const Point& to) {
   const Point along = to - from;
-  const double squared = along.squaredNorm();
-  const double share = squared > 0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0;
-  return (from + share * along - point).norm();
+  return (from + nearest_share(point, from, along) * along - point).norm();
 }
 
 /// On which side of the line through a and b the point lies.
@@ -22,11 +26,8 @@ int side(const Point& a, const Point& b, const Point& point) {
 
 std::size_t edges_of(const Corners& corners) { return corners.size() > 2 ? corners.size() : 1; }
 
-struct Extent {
-  Point lower, upper;
-};
-Extent extent_of(const Corners& corners) {
-  Extent extent{corners.front(), corners.front()};
+Box extent_of(const Corners& corners) {
+  Box extent{corners.front(), corners.front()};
   for (const Point& corner : corners) extent = {extent.lower.cwiseMin(corner), extent.upper.cwiseMax(corner)};
   return extent;
 }
@@ -69,9 +70,13 @@ double distance(const Corners& one, const Corners& other) {
   return distance_of_edges(one, other);
 }
 
+double distance_of_boxes(const Corners& one, const Box& other) {
+  const Box box = extent_of(one);
+  return (box.lower - other.upper).cwiseMax(other.lower - box.upper).cwiseMax(0.0).norm();
+}
+
 double distance_of_boxes(const Corners& one, const Corners& other) {
-  const Extent a = extent_of(one), b = extent_of(other);
-  return (a.lower - b.upper).cwiseMax(b.lower - a.upper).cwiseMax(0.0).norm();
+  return distance_of_boxes(one, extent_of(other));
 }
 
 }  // namespace kempe::plain

@@ -16,6 +16,9 @@ using Corners = std::vector<Point>;
 /// A hull's joints in a pose.
 Corners corners_of(const JointHull& hull, const Pose& pose);
 
+/// The place of a segment from `from` along `along` that is nearest to a point, as a share of the way.
+double nearest_share(const Point& point, const Point& from, const Point& along);
+
 /// Between two segments, mm; 0 if they cross.
 double distance(const Point& a, const Point& b, const Point& c, const Point& d);
 
@@ -30,5 +33,6 @@ double distance(const Corners& one, const Corners& other);
 
 /// A lower bound of that distance.
 double distance_of_boxes(const Corners& one, const Corners& other);
+double distance_of_boxes(const Corners& one, const Box& other);
 
 }  // namespace kempe::plain

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/verification/plain_distance.hpp"
+
 namespace kempe {
 namespace {
 
@@ -35,9 +37,7 @@ void add_extremes(const Region& region, const Point& pole, std::vector<Point>& s
   const auto look = [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i] - pole, along = ring[(i + 1) % ring.size()] - ring[i];
-      const double share =
-          along.squaredNorm() > 0 ? std::clamp(-a.dot(along) / along.squaredNorm(), 0.0, 1.0) : 0;
-      const Point foot = a + share * along;
+      const Point foot = a + plain::nearest_share(Point::Zero(), a, along) * along;
       if (foot.norm() < nearest.norm()) nearest = foot;
       if (a.norm() > farthest.norm()) farthest = a;
     }
