@@ -138,9 +138,13 @@ class Reader {
   std::vector<std::string> meant_;  ///< by keys that are unknown
 };
 
+/// mm and rad: poses nearer to each other are one.
+constexpr double same_pose = 1e-6;
+/// mm: places must lie farther apart.
+constexpr double least_spread = 1e-3;
 constexpr double farthest_x = 1e9;
 
-/// Numbers far from nil that hardly differ leave no room for places between them.
+/// Numbers far from zero that hardly differ leave no room for places between them.
 void check_width(int line, std::string_view key, double lower, double upper, Complaints& complaints) {
   constexpr double least_share = 1e-10, least_width = 1e-30;
   const double least = std::max(least_width, least_share * std::max(std::abs(lower), std::abs(upper)));
@@ -274,8 +278,8 @@ void read_poses(const Reader& reader, PathSpec& spec, Complaints& complaints) {
     }
     const BodyPlacement placement{{figures[0], figures[1]}, radians(figures[2])};
     for (const BodyPlacement& other : spec.poses)
-      if ((other.at - placement.at).norm() < 1e-6 &&
-          std::abs(std::remainder(other.angle - placement.angle, 2 * pi)) < 1e-6)
+      if ((other.at - placement.at).norm() < same_pose &&
+          std::abs(std::remainder(other.angle - placement.angle, 2 * pi)) < same_pose)
         return refuse(one);
     spec.poses.push_back(placement);
   }
@@ -299,12 +303,12 @@ void read_motion(Reader& reader, PathSpec& spec) {
     if (word == name(motion)) spec.motions = {motion};
 }
 
-/// The largest distance of a place from the first, mm; told where it is nil.
+/// The largest distance of a place from the first, mm; told where it is zero.
 double read_size(const Reader& reader, std::string_view key, const std::vector<Point>& places,
                  Complaints& complaints) {
   double size = 0;
   for (const Point& p : places) size = std::max(size, (p - places.front()).norm());
-  if (!places.empty() && size < 1e-3)
+  if (!places.empty() && size < least_spread)
     complaints.add(reader.line(key), std::string(key), fmt::format("places {} mm apart", size),
                    "places at least 0.001 mm apart");
   return size;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/decompositions.hpp"
 #include "kinematics/planar/slack.hpp"
@@ -12,7 +13,7 @@ namespace {
 constexpr double nearby = 0.01;          ///< omega times the distance at which other factors still serve
 constexpr double least_bent_rows = 100;  ///< 1/rad: with omega below it steps are long enough
 constexpr int most_corrections = 24;
-constexpr double rounding = 2.220446049250313e-16;
+constexpr double rounding = std::numeric_limits<double>::epsilon();
 /// Steps between two looks at the caller's wish to stop; with more unknowns than many each step takes milliseconds.
 constexpr std::size_t looks_every = 64;
 constexpr Eigen::Index many_unknowns = 60;

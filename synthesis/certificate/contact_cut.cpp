@@ -116,7 +116,8 @@ bool ContactCuts::narrows(const SeenCut& cut, const DesignCell& cell, const boun
   const double width = std::max(cell.half(Variable::a) / cell.middle(Variable::a),
                                 cell.half(Variable::b) / cell.middle(Variable::b));
   const double psi = 2 * std::atan(cut.cut.u);
-  const double passed = range.upper - range.lower, least = std::min(1e-3, 0.1 * width) * passed;
+  const double passed = range.upper - range.lower,
+               least = std::min(slack::least_side_of_cut, 0.1 * width) * passed;
   return passed > slack::narrowest_passed * width && psi > range.lower + least && psi < range.upper - least;
 }
 

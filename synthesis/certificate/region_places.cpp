@@ -80,7 +80,8 @@ void RegionPlaces::spread_out(const Region& region, int about) {
     }
   }
   for (const Point& place : tracer_places(region, about))
-    if (reach_.nearest(place).distance < -1e-3 * reach_.diagonal()) spread_.push_back({place, place});
+    if (reach_.nearest(place).distance < -slack::spread_inside * reach_.diagonal())
+      spread_.push_back({place, place});
 }
 
 }  // namespace kempe::certificate

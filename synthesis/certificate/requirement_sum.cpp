@@ -50,7 +50,7 @@ Candidate reach(const SumTask& task, const DesignCell& cell, Requirement::Kind k
   const double sign = kind == Requirement::Kind::far ? -1 : 1;
   const double c = kind == Requirement::Kind::far ? cell.far_cosine : cell.near_cosine;
   const Point away = place.at - cell.pole();
-  const double weight = 1 / std::max(1e-3, 2 * away.norm() * std::sqrt(g2));
+  const double weight = 1 / std::max(slack::nearest_weighed, 2 * away.norm() * std::sqrt(g2));
   const double p = sign * weight * g2, l = -sign * weight;
   Candidate one{{kind, place.place, weight}, {}};
   Quadratic& q = one.quadratic;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "synthesis/bound/pole_places.hpp"
+#include "synthesis/certificate/slack.hpp"
 
 namespace kempe::certificate {
 namespace {
@@ -162,7 +163,8 @@ bool RootProof::half_too_near(DesignCell cell) const {
 /// sum knows nothing, rule out no cell that is wide in any variable. Nothing if the cell is too narrow in all of them.
 std::optional<Variable> RootProof::variable_to_cut(const DesignCell& cell, const BestSum& sum) const {
   std::array<double, 4> width{}, wanted{};
-  const double near = std::max(1e-3, (task_.places.nearest(cell.pole()).at - cell.pole()).norm());
+  const double near =
+      std::max(slack::nearest_weighed, (task_.places.nearest(cell.pole()).at - cell.pole()).norm());
   const double far = (task_.places.farthest(cell.pole()).at - cell.pole()).norm();
   for (const Variable variable : all_variables) {
     const auto i = static_cast<std::size_t>(variable);

@@ -43,6 +43,12 @@ inline constexpr double inside_plate = 1 - 1e-15;
 inline constexpr double inside_region = 1e-9;
 /// Factor: half of a cell's width, surely.
 inline constexpr double whole_half = 1 + rounding;
+/// mm: a place counts as no nearer to the pole where it is weighed or a cell's width is judged.
+inline constexpr double nearest_weighed = 1e-3;
+/// Share of the region's diagonal: places deeper in the region than this are looked at for obstacles.
+inline constexpr double spread_inside = 1e-3;
+/// Share of the openings passed: a cut leaves at least so much on either side, in narrow cells a tenth of their width.
+inline constexpr double least_side_of_cut = 1e-3;
 /// rad: how far beyond the openings that the copy error leaves a log cuts, so that the error there is surely above its limit.
 inline constexpr double beyond_copy_error = 1e-8;
 

@@ -102,8 +102,9 @@ constexpr double same_turn = 1e-12;
 
 /// With stock lengths k may be off: the design then states what it attains, and what was wanted beside it.
 void note_ratio(Design& design, const Copy& copy) {
+  constexpr double exact = 1e-12;  // share of the ratio: what rounding leaves of one that is kept
   const double error = std::abs(design.linkage.k() - copy.k());
-  if (error <= 1e-12 * std::abs(copy.k())) return;
+  if (error <= exact * std::abs(copy.k())) return;
   design.wanted = WantedCopy{copy.scale(), copy.rotation(), error};
   design.scale = std::abs(design.linkage.k());
   design.rotation = std::arg(design.linkage.k());

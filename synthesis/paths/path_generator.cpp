@@ -34,7 +34,7 @@ struct PathStart {
 std::vector<double> shares_along(const std::vector<Point>& points) {
   std::vector<double> shares{0};
   for (std::size_t i = 1; i < points.size(); ++i)
-    shares.push_back(shares.back() + std::max((points[i] - points[i - 1]).norm(), 1e-9));
+    shares.push_back(shares.back() + std::max((points[i] - points[i - 1]).norm(), slack::path_least_step));
   for (double& share : shares) share /= shares.back();
   return shares;
 }
@@ -145,7 +145,7 @@ std::vector<PathAnswer> raised_answers(const PathTask& task, const std::vector<P
     program.watch_extremes(end.x);
     program.choose_motion(end.x);
     double reach = 0.2;
-    for (int round = 0; round < 12 && reach > 1e-3; ++round) {
+    for (int round = 0; round < 12 && reach > slack::path_least_reach; ++round) {
       PathStart trial = end;
       trial.x = led_to_larger_transmission(program, reach, 80, trial.x, effort.evaluations);
       program.watch_extremes(trial.x);

@@ -84,7 +84,7 @@ std::vector<Eigen::Vector4d> roots_of(const Rows8& rows) {
   for (const Eigen::Vector3d& place :
        meeting_of(pair(0, 5) - pair(3, 1) - pair(4, 2), pair(0, 6) - pair(3, 2) + pair(4, 1))) {
     const Eigen::Matrix<double, 8, 1> q = N * place;
-    if (std::abs(q[0]) < slack::at_infinity * q.norm()) continue;
+    if (std::abs(q[0]) < slack::pair_at_infinity * q.norm()) continue;
     found.emplace_back(q[1] / q[0], q[2] / q[0], q[3] / q[0], q[4] / q[0]);
   }
   return found;

@@ -32,15 +32,20 @@ inline constexpr double path_limit_broken = 1e-8;
 /// Share: a root of the resultant with no larger imaginary part is tried as a real one; Newton's method decides.
 inline constexpr double nearly_real = 1e-5;
 /// Share of the largest singular value: below it the poses' rows depend on one another. Share of the vector: a pair lies at infinity.
-inline constexpr double rows_depend = 1e-11, at_infinity = 1e-9;
+inline constexpr double rows_depend = 1e-11, pair_at_infinity = 1e-9;
 /// Share of the longest link, and rad: what the general solver may find a pose off by.
 inline constexpr double poses_met = 1e-8;
 /// None: a ratio nearer to 1 copies the curve onto itself.
 inline constexpr double copies_itself = 1e-6;
 /// Share of the copy's size: what the general solver may find a copied point off by.
 inline constexpr double copied = 1e-9;
-/// Shares of the path's size: errors below the first, all squares together, are led to nil by Newton's steps; the local solver counts
+/// Shares of the path's size: errors below the first, all squares together, are led to zero by Newton's steps; the local solver counts
 /// errors in those of its start, or in the second if they are smaller.
 inline constexpr double path_nearly_met = 1e-2, path_least_unit = 1e-12;
+
+/// mm: two points that follow each other count as no nearer where the path's length is divided.
+inline constexpr double path_least_step = 1e-9;
+/// None: a search whose reach has shrunk to this is over.
+inline constexpr double path_least_reach = 1e-3;
 
 }  // namespace kempe::slack
