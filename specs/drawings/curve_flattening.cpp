@@ -3,7 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/regions/region_checks.hpp"
+
 namespace kempe {
+
+bool is_sound(const DrawnStroke& stroke) {
+  return std::all_of(stroke.points.begin(), stroke.points.end(), [](const Point& point) {
+    return point.allFinite() && point.cwiseAbs().maxCoeff() <= largest_coordinate;
+  });
+}
 
 void CurveFlattener::add(const Point& mapped) {
   if (is_full() || (!stroke_.points.empty() && stroke_.points.back() == mapped)) return;

@@ -15,6 +15,9 @@ struct DrawnStroke {
   bool closed = false;
 };
 
+/// All its points are finite, and none is beyond ten kilometres (largest_coordinate).
+bool is_sound(const DrawnStroke& stroke);
+
 /// Takes a drawing's curves in their own coordinates, maps them by an affine map and gives back polylines.
 ///
 /// Guarantees, for curves that are finite:

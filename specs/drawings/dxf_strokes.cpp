@@ -92,10 +92,7 @@ class DxfStrokes {
     if (curves.is_full()) fault_ = "more than 5 million points";
     points_ += curves.points();
     for (DrawnStroke& stroke : curves.take()) {
-      const bool sound = std::all_of(stroke.points.begin(), stroke.points.end(), [](const Point& point) {
-        return point.allFinite() && point.cwiseAbs().maxCoeff() <= 1e7;
-      });
-      if (!sound) fault_ = "coordinates that are not finite or beyond ten kilometres";
+      if (!is_sound(stroke)) fault_ = "coordinates that are not finite or beyond ten kilometres";
       strokes_.push_back(std::move(stroke));
     }
   }

@@ -217,10 +217,7 @@ class SvgWalk {
     if (curves.is_full()) return refuse(node, "", "more than 5 million points", "a smaller drawing");
     points_ += curves.points();
     for (DrawnStroke& stroke : curves.take()) {
-      const bool sound = std::all_of(stroke.points.begin(), stroke.points.end(), [](const Point& point) {
-        return point.allFinite() && point.cwiseAbs().maxCoeff() <= 1e7;
-      });
-      if (!sound) return refuse(node, "", "coordinates beyond ten kilometres", "a drawing in millimetres");
+      if (!is_sound(stroke)) return refuse(node, "", "coordinates beyond ten kilometres", "a drawing in millimetres");
       drawing_.strokes.push_back(std::move(stroke));
     }
   }
