@@ -217,7 +217,8 @@ class SvgWalk {
     if (curves.is_full()) return refuse(node, "", "more than 5 million points", "a smaller drawing");
     points_ += curves.points();
     for (DrawnStroke& stroke : curves.take()) {
-      if (!is_sound(stroke)) return refuse(node, "", "coordinates beyond ten kilometres", "a drawing in millimetres");
+      if (!is_sound(stroke))
+        return refuse(node, "", "coordinates beyond ten kilometres", "a drawing in millimetres");
       drawing_.strokes.push_back(std::move(stroke));
     }
   }
