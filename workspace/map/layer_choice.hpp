@@ -18,8 +18,7 @@ struct LayerFinding {
   bool keeps_clearance = false;
   /// rad, widest interval of usable openings without contact of the links themselves
   double free_opening = 0;
-  /// False: it is no better than another for links alone, and obstacles were not tried, or than another of as many layers with a gap that
-  /// was met on the way
+  /// False: of as many layers another is clearly better, for the links alone or by a gap met on the way; then not all was looked at
   bool compared = true;
 };
 
