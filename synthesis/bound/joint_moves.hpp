@@ -10,6 +10,10 @@
 //     |Z - Z_0| <= R |1 - M| + |T - O_0| |M - M_0|.
 // Seen from a joint that carries a body it stands at (T - O) M with the difference M of the two joints' maps, so that R |M| takes the
 // place of R |1 - M|. All of it in intervals.
+//
+// Of one design with the tracer within R of T_0 the joints, seen from each other, stand at (T - O) M, so
+//     |Z - Z_0| <= R |M_0| + (|T_0 - O| + R) |M - M_0|,   delta = t |psi - psi_0|,
+// psi known from |T_0 - O| give or take R. There are doubles enough: no bound rests on it.
 
 #include <array>
 #include <memory>
@@ -59,6 +63,10 @@ class JointMoving {
   std::optional<JointMoves> at_most(const DesignBox& box, const Point& place,
                                     const std::array<Complex, 6>& joints,
                                     std::optional<Joint> seen_from = std::nullopt) const;
+
+  /// Of one design with this VA (mm), while its tracer goes no farther than `radius` (mm) from its place in `joints`, wherever it gets to: no
+  /// joint moves farther, as seen from another; infinite near a dead point and where the design does not reach its place. In doubles.
+  JointMoves beside(double VA, const std::array<Complex, 6>& joints, double radius, Joint seen_from) const;
 
   /// Where they stand to first order, of those designs that reach the place within `usable` (|psi|). Nothing if the box is too large for
   /// a statement, or has no such design.

@@ -6,6 +6,7 @@
 #include "synthesis/bound/contact.hpp"
 #include "synthesis/bound/joint_moves.hpp"
 #include "synthesis/bound/reach_intervals.hpp"
+#include "synthesis/bound/slack.hpp"
 
 namespace kempe::bounding {
 namespace {
@@ -123,6 +124,35 @@ std::optional<JointMoves> JointMoving::at_most(const DesignBox& box, const Point
     const Interval off = length(origin + arm * M - place_in(joints, joint, seen_from));
     moves[Known::number(joint)] = (Interval(box.radius) * beside + distance * map_moves + off).sup();
   }
+  return moves;
+}
+
+JointMoves JointMoving::beside(double VA, const std::array<Complex, 6>& joints, double radius,
+                               Joint seen_from) const {
+  JointMoves moves;
+  moves.fill(infinity);
+  const auto between = [&](Joint from, Joint to) {
+    return joints[Known::number(to)] - joints[Known::number(from)];
+  };
+  const JointRoles roles = roles_of(mode_.grounding);
+  const double a = std::abs(between(Joint::V, Joint::A)), b = std::abs(between(Joint::V, Joint::B) / mode_.s);
+  const double distance = std::abs(between(roles.pole, roles.tracer)), t = b / a;
+  const auto cosine_at = [&](double along) {
+    return mode_.chain * mode_.chain * along * along / (2 * a * b) - 0.5 * (t + 1 / t);
+  };
+  const double nearer = cosine_at(std::max(0.0, distance - radius)), farther = cosine_at(distance + radius);
+  // Where the middle is out of reach, the joints are those of a larger or smaller linkage.
+  if (std::abs(a - VA) > slack::same_design * VA) return moves;
+  if (!(nearer > -slack::surely_within && farther < slack::surely_within)) return moves;
+  const double psi = std::acos(cosine_at(distance));
+  const double delta = slack::surely_more * t * std::max(std::acos(nearer) - psi, psi - std::acos(farther));
+  const double D = distance / a, least = D - known_->tracer_Q.sup() * delta;
+  if (!(least > 0.05 * D)) return moves;
+  const Known::SeenJoints& seen = known_->seen[1 + Known::number(seen_from)];
+  for (const Joint joint : all_joints)
+    moves[Known::number(joint)] =
+        radius * std::abs(between(seen_from, joint)) / distance +
+        (distance + radius) * seen[Known::number(joint)].turns.sup() * delta / (D * least);
   return moves;
 }
 

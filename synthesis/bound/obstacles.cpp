@@ -51,6 +51,15 @@ std::size_t frame_of(const ObstacleTerm& term) {
   return term.seen_from ? 1 + static_cast<std::size_t>(*term.seen_from) : 0;
 }
 
+/// What the corners of a term's piece move at most, mm.
+double moved_of(const ObstacleTerm& term, const JointMoves& moves) {
+  double most = 0;
+  for (int i = 0; i < term.piece.hull.count; ++i)
+    most =
+        std::max(most, moves[static_cast<std::size_t>(term.piece.hull.joints[static_cast<std::size_t>(i)])]);
+  return most;
+}
+
 }  // namespace
 
 std::vector<Obstruction> obstructions_of(const Spec& spec) {
@@ -58,9 +67,12 @@ std::vector<Obstruction> obstructions_of(const Spec& spec) {
 }
 
 std::shared_ptr<const ObstacleScene> obstacle_scene(const Spec& spec, const StopFlag& stop) {
-  return std::make_shared<const ObstacleScene>(ObstacleScene{obstacle_shapes(obstructions_of(spec), stop),
-                                                             tracer_places(spec.region, first_places),
-                                                             tracer_places(spec.region, many_places)});
+  ObstacleScene scene{obstacle_shapes(obstructions_of(spec), stop),
+                      tracer_places(spec.region, first_places),
+                      tracer_places(spec.region, many_places),
+                      {}};
+  scene.groups = groups_of(scene.many_places);
+  return std::make_shared<const ObstacleScene>(std::move(scene));
 }
 
 ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
@@ -115,25 +127,40 @@ void ObstacleTest::look_at_the_copy(const Spec& spec, const CopyingLinkage& any,
   }
 }
 
-/// With the tracer at one of the places at least, wherever the pole stands; `end`: a disc at tracer or pen.
+/// With the tracer at one of the places at least, wherever the pole stands; `end`: a disc at tracer or pen. Groups of places are left out
+/// where the disc keeps away with the pole in the middle of its places.
 bool ObstacleTest::is_hit_by_the_copy(const PoleSpec& pole, const ObstacleTerm& end) const {
+  if (scene_->groups.groups.empty()) return false;
   const PoleDisc poles = disc_of_poles(pole);
   const DesignBox any{{{1, 1}, {1, 1}}, poles.centre, poles.radius};
   const Joint joint = end.piece.hull.joints.front();
-  const ObstacleShape& obstacle = scene_->shapes[end.obstacle];
-  const auto may_be_hit = [&](const Point& place) {
-    const Complex from_pole = as_complex(place - poles.centre);
-    const Complex at = as_complex(poles.centre) + (joint == roles_.tracer ? from_pole : k_ * from_pole);
-    return std::abs(at - obstacle.centre) < obstacle.radius + end.piece.half_width + clearance_;
+  const double per_tracer = joint == roles_.tracer ? 1 : std::abs(k_);
+  const auto joints_at = [&](const Point& place) {
+    return PlacedJoints(reach_, roles_, {}, poles.centre, place);
   };
-  return std::any_of(scene_->many_places.begin(), scene_->many_places.end(), [&](const Point& place) {
-    if (!may_be_hit(place) || place == poles.centre || stop_()) return false;
-    const PlacedJoints joints(reach_, roles_, {}, poles.centre, place);
-    const double gap = obstacle_gap(end, obstacle, joints, clearance_);
+  const auto gap_at = [&](const PlacedJoints& joints, double enough) {
+    return obstacle_gap(end, scene_->shapes[end.obstacle], joints, enough, Beyond::anything);
+  };
+  const auto is_hit_at = [&](const Point& place) {
+    if (place == poles.centre) return false;
+    const PlacedJoints joints = joints_at(place);
+    const double gap = gap_at(joints, clearance_);
     if (gap >= clearance_) return false;
     const JointMoves moves = copying_joints_move_at_most(mode_, k_, any, place, joints.all());
     return gap + moves[static_cast<std::size_t>(joint)] + gap_rounding(end, joints) < clearance_;
+  };
+  bool is_hit = false;
+  const auto may_be_hit = [&](const PlaceGroup& group, bool) -> std::optional<bool> {
+    if (group.centre == poles.centre) return true;
+    const PlacedJoints joints = joints_at(group.centre);
+    const double enough = clearance_ + per_tracer * group.radius + 2 * gap_rounding(end, joints);
+    return gap_at(joints, enough) >= enough ? std::nullopt : std::optional(true);
+  };
+  descend(scene_->groups, 0, true, may_be_hit, [&](std::size_t place, bool) {
+    is_hit = !stop_() && is_hit_at(scene_->many_places[place]);
+    return !is_hit && !stop_();
   });
+  return is_hit;
 }
 
 LogLengths ObstacleTest::middle_of(const DesignBox& box) const {
@@ -226,15 +253,6 @@ struct ObstacleTest::Look {
     return moves;
   }
 
-  /// What the corners of a term's piece move at most, mm.
-  static double moved_of(const ObstacleTerm& term, const JointMoves& moves) {
-    double most = 0;
-    for (int i = 0; i < term.piece.hull.count; ++i)
-      most = std::max(most,
-                      moves[static_cast<std::size_t>(term.piece.hull.joints[static_cast<std::size_t>(i)])]);
-    return most;
-  }
-
   /// To first order; `spreads`: at this place, once they are known.
   bool is_hit_all_over(std::size_t place, const Term& term, double rounding,
                        std::optional<std::optional<JointSpreads>>& spreads) const {
@@ -325,26 +343,75 @@ void ObstacleTest::demand_more(double margin, const std::vector<Point>& places) 
   for (const Point& place : places) places_.push_back({place});
 }
 
+/// One design, wherever its tracer is.
+struct ObstacleTest::Design {
+  LogLengths lengths;
+  SideLengths sides;
+  Point pole;
+};
+
+/// One of the many places, and the terms that may be hit there.
+struct ObstacleTest::Doubt {
+  std::size_t place;
+  std::shared_ptr<const std::vector<std::size_t>> terms;
+};
+
+/// The many places in their order, without those at which surely nothing is hit.
+std::vector<ObstacleTest::Doubt> ObstacleTest::where_it_may_be_hit(const Design& design,
+                                                                   std::size_t layers) const {
+  std::vector<Doubt> doubts;
+  if (scene_->groups.groups.empty()) return doubts;
+  using Terms = std::shared_ptr<const std::vector<std::size_t>>;
+  const double VA = std::exp(design.lengths.u);
+  const auto left_of = [&](const PlaceGroup& group, const Terms& terms) -> std::optional<Terms> {
+    if (stop_()) return std::nullopt;
+    const PlacedJoints joints(reach_, roles_, design.lengths, design.sides, design.pole, group.centre);
+    std::array<std::optional<JointMoves>, all_joints.size()> moves;  // as seen from each joint
+    const auto is_clear = [&](std::size_t i) {
+      const ObstacleTerm& term = terms_[i].what;
+      const Joint seen_from = term.seen_from.value_or(roles_.pole);
+      auto& seen = moves[static_cast<std::size_t>(seen_from)];
+      if (!seen) seen = moving_.beside(VA, joints.all(), group.radius, seen_from);
+      const double enough = clearance_ + moved_of(term, *seen) + 2 * gap_rounding(term, joints);
+      return obstacle_gap(term, scene_->shapes[term.obstacle], joints, enough, Beyond::anything) >= enough;
+    };
+    auto left = std::make_shared<std::vector<std::size_t>>();
+    std::copy_if(terms->begin(), terms->end(), std::back_inserter(*left),
+                 [&](std::size_t i) { return !is_clear(i); });
+    return left->empty() ? std::nullopt : std::optional<Terms>(std::move(left));
+  };
+  auto all = std::make_shared<std::vector<std::size_t>>();
+  for (std::size_t i = 0; i < terms_.size(); ++i)
+    if (terms_[i].layers.has(layers)) all->push_back(i);
+  descend(scene_->groups, 0, Terms(std::move(all)), left_of, [&](std::size_t place, const Terms& terms) {
+    doubts.push_back({place, terms});
+    return true;
+  });
+  std::sort(doubts.begin(), doubts.end(),
+            [](const Doubt& one, const Doubt& other) { return one.place < other.place; });
+  return doubts;
+}
+
 bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t layers,
                             const std::optional<Hit>& first, LayerSet& left) {
   const LogLengths lengths{std::log(VA), std::log(VB)};
-  const SideLengths sides = reach_.sides(lengths);
-  const auto hit_at = [&](const Point& place) {
-    const PlacedJoints joints(reach_, roles_, lengths, sides, pole, place);
-    return std::find_if(terms_.begin(), terms_.end(), [&](const Term& term) {
-      return term.layers.has(layers) && obstacle_gap(term.what, scene_->shapes[term.what.obstacle], joints,
-                                                     clearance_, Beyond::anything) < clearance_;
-    });
+  const Design design{lengths, reach_.sides(lengths), pole};
+  const auto is_hit = [&](const Term& term, const PlacedJoints& joints) {
+    return obstacle_gap(term.what, scene_->shapes[term.what.obstacle], joints, clearance_, Beyond::anything) <
+           clearance_;
   };
-  const auto is_clear_at = [&](const Point& place) {
-    if (stop_()) return false;
-    const auto hit = hit_at(place);
-    if (hit != terms_.end()) left.remove(hit->layers);
-    return hit == terms_.end();
+  const auto joints_at = [&](const Point& place) {
+    return PlacedJoints(reach_, roles_, lengths, design.sides, pole, place);
   };
   const auto is_kept = [&](const Place& place) {
-    if (!place.layers) return is_clear_at(place.at);
-    return *place.layers != layers || (!stop_() && hit_at(place.at) == terms_.end());
+    if (place.layers && *place.layers != layers) return true;
+    if (stop_()) return false;
+    const PlacedJoints joints = joints_at(place.at);
+    const auto hit = std::find_if(terms_.begin(), terms_.end(), [&](const Term& term) {
+      return term.layers.has(layers) && is_hit(term, joints);
+    });
+    if (hit != terms_.end() && !place.layers) left.remove(hit->layers);
+    return hit == terms_.end();
   };
   if (first && !is_kept(places_[first->place])) return false;
   if (last_hit_ < places_.size() && !is_kept(places_[last_hit_])) return false;
@@ -353,10 +420,18 @@ bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t
     last_hit_ = static_cast<std::size_t>(lost - places_.begin());
     return false;
   }
-  const auto hit = std::find_if_not(scene_->many_places.begin(), scene_->many_places.end(), is_clear_at);
-  if (hit == scene_->many_places.end()) return true;
-  if (!stop_() && places_.size() < most_places) places_.push_back({*hit});
-  return false;
+  for (const Doubt& doubt : where_it_may_be_hit(design, layers)) {
+    if (stop_()) return false;
+    const Point& place = scene_->many_places[doubt.place];
+    const PlacedJoints joints = joints_at(place);
+    const auto hit = std::find_if(doubt.terms->begin(), doubt.terms->end(),
+                                  [&](std::size_t i) { return is_hit(terms_[i], joints); });
+    if (hit == doubt.terms->end()) continue;
+    left.remove(terms_[*hit].layers);
+    if (places_.size() < most_places) places_.push_back({place});
+    return false;
+  }
+  return !stop_();
 }
 
 void ObstacleTest::look_further(const DesignBox& box, const LayerSet& alive) {

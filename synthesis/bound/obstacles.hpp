@@ -16,6 +16,7 @@
 #include "kinematics/stop_flag.hpp"
 #include "synthesis/bound/joint_moves.hpp"
 #include "synthesis/bound/layer_set.hpp"
+#include "synthesis/bound/place_groups.hpp"
 #include "synthesis/problem/obstacle_gap.hpp"
 
 namespace kempe::bounding {
@@ -39,6 +40,7 @@ struct ObstacleScene {
   std::vector<ObstacleShape> shapes;  ///< in the order of obstructions_of()
   std::vector<Point> places;          ///< of the tracer, looked at in every box
   std::vector<Point> many_places;     ///< looked at for single designs
+  PlaceGroups groups;                 ///< of the many places
 };
 /// Of a spec; once stopped, with what there is so far.
 std::shared_ptr<const ObstacleScene> obstacle_scene(const Spec& spec, const StopFlag& stop = {});
@@ -104,6 +106,9 @@ class ObstacleTest {
                         const std::vector<Obstruction>& obstructions,
                         const std::vector<LayerAssignment>& layers);
   bool is_hit_by_the_copy(const PoleSpec& pole, const ObstacleTerm& end) const;
+  struct Design;
+  struct Doubt;
+  std::vector<Doubt> where_it_may_be_hit(const Design& design, std::size_t layers) const;
   bool is_hit_all_over(const Term& term, const JointSpreads& spreads, double rounding) const;
   struct Look;
   void judge(Look& look, const std::vector<std::pair<std::size_t, double>>& seen, Sight& sight) const;

@@ -21,6 +21,8 @@ inline constexpr double obstacle_gap_rounding = 1e-13;
 inline constexpr double load_limit = 1e-9;
 /// Factors: what must surely be no larger, or no smaller, than its value in doubles.
 inline constexpr double surely_less = 1 - rounding, surely_more = 1 + rounding;
+/// A cosine of psi: nearer to 1 or -1 doubles do not tell the angle well enough to say how far a single design's joints move.
+inline constexpr double surely_within = 1 - 1e-6;
 /// Share of the size: designs whose lengths and poles are apart by no more are one.
 inline constexpr double same_design = 1e-9;
 /// rad: a design of the relaxation misses the transmission limit by no more.

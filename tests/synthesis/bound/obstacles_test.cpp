@@ -113,6 +113,14 @@ ThrownAway look_into_boxes(test::SpecDice& dice, int specs, const std::vector<La
   return {boxes_hit, designs};
 }
 
+/// Every seventh: high and low ones, with gaps and without.
+std::vector<LayerAssignment> some_of_four_layers() {
+  std::vector<LayerAssignment> layers;
+  for (std::size_t i = 0; const LayerAssignment& each : layer_assignments(4))
+    if (i++ % 7 == 0) layers.push_back(each);
+  return layers;
+}
+
 TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
   test::SpecDice dice(83);
   const ThrownAway seen =
@@ -123,12 +131,120 @@ TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
 
 TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayForABodyIsHit) {
   test::SpecDice dice(97);
-  std::vector<LayerAssignment> layers;  // every seventh: high and low ones, with gaps and without
-  for (std::size_t i = 0; const LayerAssignment& each : layer_assignments(4))
-    if (i++ % 7 == 0) layers.push_back(each);
-  const ThrownAway seen = look_into_boxes(dice, test::samples(40), layers, spec_with_bodies);
+  const ThrownAway seen = look_into_boxes(dice, test::samples(40), some_of_four_layers(), spec_with_bodies);
   EXPECT_GT(seen.boxes, test::expected(60));
   EXPECT_GT(seen.designs, test::expected(100));
+}
+
+std::array<Complex, 6> joints_of(const Pose& pose) {
+  std::array<Complex, 6> joints;
+  for (const Joint joint : all_joints) joints[static_cast<std::size_t>(joint)] = as_complex(pose[joint]);
+  return joints;
+}
+
+TEST(ProvenBoundObstacles, NoJointOfADesignMovesFartherThanSaidWhileTheTracerGoesAbout) {
+  test::SpecDice dice(106);
+  Spec spec = dice.spec();
+  spec.limits.copy_error.reset();
+  int compared = 0, said = 0;
+  double tightest = 0;
+  for (int i = 0; i < test::samples(2000); ++i) {
+    spec.copy = Copy::of(copy_ratio(dice.log_uniform(0.1, 10), dice.uniform(-pi, pi)));
+    const Grounding grounding = all_groundings[static_cast<std::size_t>(i) % 3];
+    const auto modes = assembly_modes(shape_of(spec.copy.k(), grounding));
+    const AssemblyMode& mode = modes[static_cast<std::size_t>(i / 3) % modes.size()];
+    const auto linkage =
+        CopyingLinkage::make(spec.copy.k(), grounding, dice.log_uniform(30, 300), dice.log_uniform(30, 300),
+                             mode.number, Point(dice.uniform(-50, 50), dice.uniform(-50, 50)));
+    if (!linkage) continue;
+    const bounding::JointMoving moving(bounding::make_branch(spec, grounding, mode, {}).mode);
+    const double opening = dice.uniform(mode.openings.lower, mode.openings.upper);
+    const Pose middle = linkage->pose_at(opening, dice.uniform(-pi, pi));
+    const Point tracer = middle[linkage->tracer_joint()];
+    const double radius = (tracer - linkage->pole()).norm() * std::pow(10, dice.uniform(-6, 0));
+    for (const Joint from : {linkage->pole_joint(), linkage->tracer_joint(), linkage->pen_joint()}) {
+      const bounding::JointMoves moves = moving.beside(linkage->VA(), joints_of(middle), radius, from);
+      if (!(moves.front() < infinity)) continue;
+      ++said;
+      for (int n = 0; n < 12; ++n) {
+        const double away = n < 6 ? radius : dice.uniform(0, radius);
+        const Point to = tracer + away * as_point(std::polar(1.0, dice.uniform(-pi, pi)));
+        const auto pose = linkage->pose_with_tracer_at(to);
+        if (!pose) continue;
+        for (const Joint joint : all_joints) {
+          const double moved = (((*pose)[joint] - (*pose)[from]) - (middle[joint] - middle[from])).norm();
+          const double most = moves[static_cast<std::size_t>(joint)];
+          ASSERT_LE(moved, most * (1 + 1e-9) + 1e-9) << i;
+          if (joint != from) tightest = std::max(tightest, moved / most);
+          ++compared;
+        }
+      }
+    }
+  }
+  EXPECT_GT(said, test::expected(2000));
+  EXPECT_GT(compared, test::expected(100'000));
+  EXPECT_TRUE(test::shortened() || tightest > 0.9) << tightest;
+}
+
+/// With every one of the many places looked at.
+bool is_clear_everywhere(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers,
+                         const bounding::ObstacleScene& scene) {
+  const Reach reach(spec.copy.k(), linkage.grounding(), linkage.assembly_mode().number);
+  const JointRoles roles = roles_of(linkage.grounding());
+  const auto terms = obstacle_terms(linkage, layers, spec.links.style, bounding::obstructions_of(spec));
+  for (const Point& place : scene.many_places) {
+    const PlacedJoints joints(reach, roles, {std::log(linkage.VA()), std::log(linkage.VB())}, linkage.pole(),
+                              place);
+    for (const ObstacleTerm& term : terms)
+      if (obstacle_gap(term, scene.shapes[term.obstacle], joints, spec.limits.clearance) <
+          spec.limits.clearance)
+        return false;
+  }
+  return true;
+}
+
+template <typename MakeSpec>
+std::array<int, 2> compare_clearness(test::SpecDice& dice, int specs,
+                                     const std::vector<LayerAssignment>& layers, const MakeSpec& make_spec) {
+  std::array<int, 2> hit_and_clear{};
+  for (int i = 0; i < specs; ++i) {
+    const Spec spec = make_spec(dice);
+    const RegionReach region(spec.region);
+    const auto scene = bounding::obstacle_scene(spec);
+    const Grounding grounding = all_groundings[static_cast<std::size_t>(i) % 3];
+    const auto modes = assembly_modes(shape_of(spec.copy.k(), grounding));
+    const AssemblyMode& mode = modes[static_cast<std::size_t>(i / 3) % modes.size()];
+    const bounding::ModeFacts facts = bounding::make_branch(spec, grounding, mode, {}).mode;
+    for (int j = 0; j < 40; ++j) {
+      const auto linkage =
+          CopyingLinkage::make(spec.copy.k(), grounding, dice.log_uniform(60, 500), dice.log_uniform(60, 500),
+                               mode.number, Point(dice.uniform(-40, 40), dice.uniform(-40, 40)));
+      if (!linkage || !reaches(*linkage, region)) continue;
+      const std::size_t one = static_cast<std::size_t>(j) % layers.size();
+      bounding::ObstacleTest test(spec, facts, layers, scene, {});
+      bounding::LayerSet left = bounding::LayerSet::all(layers.size());
+      const bool is_clear = test.is_clear(linkage->VA(), linkage->VB(), linkage->pole(), one, {}, left);
+      EXPECT_EQ(is_clear, is_clear_everywhere(spec, *linkage, layers[one], *scene)) << i << " " << j;
+      ++hit_and_clear[is_clear ? 1 : 0];
+    }
+  }
+  return hit_and_clear;
+}
+
+TEST(ProvenBoundObstacles, ADesignIsClearWhereItIsClearAtEachPlace) {
+  test::SpecDice dice(107);
+  const auto [hit, clear] =
+      compare_clearness(dice, test::samples(100), layer_assignments(2), spec_with_obstacles);
+  EXPECT_GT(hit, test::expected(50));
+  EXPECT_GT(clear, test::expected(50));
+}
+
+TEST(ProvenBoundObstacles, ADesignWithBodiesIsClearWhereItIsClearAtEachPlace) {
+  test::SpecDice dice(108);
+  const auto [hit, clear] =
+      compare_clearness(dice, test::samples(60), some_of_four_layers(), spec_with_bodies);
+  EXPECT_GT(hit, test::expected(30));
+  EXPECT_GT(clear, test::expected(10));
 }
 
 /// A pole free to stand behind the original, and a block beside one of the two sheets, so far away.
