@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -100,6 +99,7 @@ ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
 
 void ObstacleTest::add_term(Term term) {
   convex_pairs_ += scene_->shapes[term.what.obstacle].groups.empty() ? 1 : 2;
+  all_terms_.push_back(static_cast<std::uint32_t>(terms_.size()));
   terms_.push_back(std::move(term));
 }
 
@@ -232,9 +232,11 @@ struct ObstacleTest::Look {
   LayerSet& alive;
   LogLengths middle{};
   SideLengths sides{};
-  double nearest = std::numeric_limits<double>::infinity();  ///< mm, of a gap with what the joints move added
+  double nearest = infinity;  ///< mm, of a gap with what the joints move added
   std::optional<Hit> hit{};
   double moved = 0;  ///< mm, the most that joints were found to move; infinite where that could not be said
+  PlacesWithTerms seen{};      ///< what was looked at
+  std::vector<double> gaps{};  ///< mm beyond the clearance, of each term that was; where there is more, a lower bound
 
   Look(const ObstacleTest& of, const DesignBox& all, LayerSet& left) : test(of), box(all), alive(left) {
     middle = test.middle_of(box);
@@ -249,7 +251,7 @@ struct ObstacleTest::Look {
                                      std::optional<Joint> seen_from) {
     const auto moves = test.moving_.at_most(box, test.places_[place].at, joints.all(), seen_from);
     moved = moves ? std::max(moved, *std::max_element(moves->begin(), moves->end()))
-                  : std::numeric_limits<double>::infinity();
+                  : infinity;
     return moves;
   }
 
@@ -261,24 +263,32 @@ struct ObstacleTest::Look {
     return *spreads && test.is_hit_all_over(term, **spreads, rounding);
   }
 
-  /// Rules out what is hit at a place, and returns the smallest gap there less the clearance, or a lower bound of it.
-  double at(std::size_t place, std::size_t first, std::size_t last) {
-    double least = std::numeric_limits<double>::infinity();
+  /// True if the box is so large that at a place nothing can be said of other terms than those of the copy.
+  bool is_too_large_at(std::size_t place) const {
+    return !test.moving_.at_most(box, test.places_[place].at, joints_at(place).all());
+  }
+
+  /// Rules out what is hit at a place. `only_the_copy`: the box is too large there.
+  void at(std::size_t place, std::span<const std::uint32_t> terms, bool only_the_copy = false) {
     const auto& of_one = test.places_[place].layers;
-    if (of_one && !alive.has(*of_one)) return least;
+    if (of_one && !alive.has(*of_one)) return;
     const PlacedJoints joints = joints_at(place);
     std::array<std::optional<JointMoves>, 1 + all_joints.size()>
         moves;  // as seen from the table and from each joint
     std::array<std::optional<std::optional<JointSpreads>>, 1 + all_joints.size()> spreads;
-    bool is_reached = true;
-    for (std::size_t i = first; i < last; ++i) {
+    bool is_reached = !only_the_copy;
+    seen.places.push_back({place, seen.terms.size(), 0});
+    for (const std::uint32_t i : terms) {
       const Term& term = test.terms_[i];
       if (of_one ? !term.layers.has(*of_one) : !term.layers.meets(alive)) continue;
-      if (!is_reached && !term.is_of_the_copy) continue;
+      if (!is_reached && !term.is_of_the_copy) {
+        note(i, -infinity);
+        continue;
+      }
       const double clearance = test.clearance_;
       const double gap = obstacle_gap(term.what, test.scene_->shapes[term.what.obstacle], joints,
                                       clearance);  // exact below it
-      least = std::min(least, gap - clearance);
+      note(i, gap - clearance);
       if (gap >= clearance) continue;
       double here = 0;
       if (term.is_of_the_copy) {
@@ -286,55 +296,79 @@ struct ObstacleTest::Look {
             moved_of(term.what, copying_joints_move_at_most(test.mode_, test.k_, box, test.places_[place].at,
                                                             joints.all(), term.what.seen_from));
       } else {
-        auto& seen = moves[frame_of(term.what)];
-        if (is_reached && !seen)
-          is_reached = (seen = moved_at(place, joints, term.what.seen_from)).has_value();
+        auto& seen_moves = moves[frame_of(term.what)];
+        if (!seen_moves) is_reached = (seen_moves = moved_at(place, joints, term.what.seen_from)).has_value();
         if (!is_reached) continue;
-        here = moved_of(term.what, *seen);
+        here = moved_of(term.what, *seen_moves);
       }
       const double rounding = test.gap_rounding(term.what, joints);
       if (gap + here + rounding < clearance ||
           (!term.is_of_the_copy && gap + share_of_moves * here < clearance &&
            is_hit_all_over(place, term, rounding, spreads[frame_of(term.what)]))) {
         hit = Hit{place, i};
-        nearest = -std::numeric_limits<double>::infinity();
+        nearest = -infinity;
         of_one ? alive.remove(*of_one) : alive.remove(term.layers);
-        if (of_one || alive.empty()) return least;
+        if (of_one || alive.empty()) return;
       } else if (gap + here < nearest) {
         nearest = gap + here;
         hit = Hit{place, i};
       }
     }
-    return least;
+  }
+
+  void note(std::uint32_t term, double gap) {
+    seen.terms.push_back(term);
+    gaps.push_back(gap);
+    ++seen.places.back().terms;
+  }
+
+  void forget_what_was_seen() {
+    seen = {};
+    gaps.clear();
+  }
+
+  /// What was looked at and is nearer than `reach` (mm), beyond the clearance.
+  PlacesWithTerms nearer_than(double reach) const {
+    PlacesWithTerms near;
+    for (const PlacesWithTerms::Place& place : seen.places) {
+      const std::size_t first = near.terms.size();
+      for (std::size_t i = place.first; i < place.first + place.terms; ++i)
+        if (gaps[i] < reach) near.terms.push_back(seen.terms[i]);
+      if (near.terms.size() > first) near.places.push_back({place.number, first, near.terms.size() - first});
+    }
+    return near;
   }
 };
 
 LayerSet ObstacleTest::not_hit(const DesignBox& box, LayerSet alive, Sight& sight, bool only_hit) const {
   Look look(*this, box, alive);
-  if (sight.hit) look.at(sight.hit->place, sight.hit->term, sight.hit->term + 1);
-  if (!only_hit) {
-    std::vector<std::pair<std::size_t, double>> seen;
-    const auto look_at = [&](std::size_t place) {
-      if (!alive.empty() && !stop_()) seen.emplace_back(place, look.at(place, 0, terms_.size()));
+  if (sight.hit) look.at(sight.hit->place, std::span(all_terms_).subspan(sight.hit->term, 1));
+  if (!only_hit && !alive.empty()) {
+    look.forget_what_was_seen();
+    std::optional<bool> may_be_too_large;
+    const auto look_at = [&](std::size_t place, std::span<const std::uint32_t> terms) {
+      if (alive.empty() || stop_()) return;
+      if (!may_be_too_large) may_be_too_large = look.is_too_large_at(place);
+      look.at(place, terms, *may_be_too_large && look.is_too_large_at(place));
     };
-    if (sight.near) std::for_each(sight.near->begin(), sight.near->end(), look_at);
-    for (std::size_t place = sight.judged; place < places_.size(); ++place) look_at(place);
-    if (!alive.empty()) judge(look, seen, sight);
+    if (sight.near)
+      for (const PlacesWithTerms::Place& place : sight.near->places)
+        look_at(place.number, sight.near->at(place));
+    for (std::size_t place = sight.judged; place < places_.size(); ++place) look_at(place, all_terms_);
+    if (!alive.empty()) judge(look, sight);
   }
   if (look.hit) sight.hit = look.hit;
   return alive;
 }
 
-/// Keeps the places where an obstruction can be hit in a part of the box. That joints move alike at all places is not certain, but
-/// a place left out can only make the bound looser.
-void ObstacleTest::judge(Look& look, const std::vector<std::pair<std::size_t, double>>& seen,
-                         Sight& sight) const {
-  if (seen.empty() || stop_()) return;
-  if (look.moved == 0) look.moved_at(seen.front().first, look.joints_at(seen.front().first), std::nullopt);
-  auto near = std::make_shared<std::vector<std::size_t>>();
-  for (const auto& [place, gap] : seen)
-    if (gap < moves_of_others * look.moved) near->push_back(place);
-  sight.near = std::move(near);
+/// Keeps the places where an obstruction can be hit in a part of the box, and the terms. That joints move alike at all places is not certain,
+/// but what is left out can only make the bound looser.
+void ObstacleTest::judge(Look& look, Sight& sight) const {
+  if (look.seen.places.empty() || stop_()) return;
+  if (const std::size_t first = look.seen.places.front().number; look.moved == 0)
+    look.moved_at(first, look.joints_at(first), std::nullopt);
+  if (!(look.moved < infinity)) return;
+  sight.near = std::make_shared<const PlacesWithTerms>(look.nearer_than(moves_of_others * look.moved));
   sight.judged = places_.size();
 }
 

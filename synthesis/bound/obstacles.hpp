@@ -8,9 +8,10 @@
 // seen from that joint. That a body meets an obstacle, the edge or another body is a matter of places of tracer and pen alone, which
 // the copy fixes: it is so in every design, reached or not. So it is of the links' ends at tracer and pen.
 
+#include <cstdint>
 #include <memory>
 #include <optional>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "kinematics/stop_flag.hpp"
@@ -26,11 +27,24 @@ struct Hit {
   std::size_t place = 0, term = 0;
 };
 
+/// Places and, of each, terms that follow each other.
+struct PlacesWithTerms {
+  struct Place {
+    std::size_t number, first, terms;
+  };
+  std::vector<Place> places{};
+  std::vector<std::uint32_t> terms{};
+
+  std::span<const std::uint32_t> at(const Place& place) const {
+    return std::span(terms).subspan(place.first, place.terms);
+  }
+};
+
 /// What a box hands down to those it is split into.
 struct Sight {
   std::optional<Hit> hit{};  ///< where an obstruction came nearest to being in the way
-  /// Of the first `judged` places those from which one can be hit in some part of the box; absent: all of them.
-  std::shared_ptr<const std::vector<std::size_t>> near{};
+  /// Of the first `judged` places those from which something can be hit in some part of the box, and what; absent: all of them.
+  std::shared_ptr<const PlacesWithTerms> near{};
   std::size_t judged = 0;
 };
 
@@ -72,7 +86,7 @@ class ObstacleTest {
 
   /// What not_hit() costs where it looks at all, in tests of a box for reach.
   std::size_t cost(const Sight& sight) const {
-    const std::size_t near = sight.near ? sight.near->size() : 0;
+    const std::size_t near = sight.near ? sight.near->places.size() : 0;
     return 1 + (near + places_.size() - sight.judged) * convex_pairs_ / 300;
   }
 
@@ -111,7 +125,7 @@ class ObstacleTest {
   std::vector<Doubt> where_it_may_be_hit(const Design& design, std::size_t layers) const;
   bool is_hit_all_over(const Term& term, const JointSpreads& spreads, double rounding) const;
   struct Look;
-  void judge(Look& look, const std::vector<std::pair<std::size_t, double>>& seen, Sight& sight) const;
+  void judge(Look& look, Sight& sight) const;
 
   ModeFacts mode_;
   JointMoving moving_;
@@ -125,6 +139,7 @@ class ObstacleTest {
   std::size_t last_hit_ =
       0;  ///< of the places: where a design was not clear, so that the next may well not be
   std::vector<Term> terms_;
+  std::vector<std::uint32_t> all_terms_;  ///< their numbers
   LayerSet hit_by_the_copy_{};    ///< in which something is hit whatever the lengths are
   std::size_t convex_pairs_ = 0;  ///< what the terms cost: those with a shape of few parts one, others two
   StopFlag stop_;
