@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace kempe::bounding {
 namespace {
@@ -20,9 +21,11 @@ void group(PlaceGroups& tree, const std::vector<Point>& places, std::size_t firs
   tree.groups.push_back({first, count, centre, radius});
   if (count == 1) return;
   const bool is_wide = upper.x() - lower.x() >= upper.y() - lower.y();
-  std::stable_sort(begin, end, [&](std::size_t one, std::size_t other) {
-    return is_wide ? places[one].x() < places[other].x() : places[one].y() < places[other].y();
-  });
+  const auto along = [&](std::size_t place) { return is_wide ? places[place].x() : places[place].y(); };
+  std::nth_element(begin, begin + static_cast<std::ptrdiff_t>(count / 2), end,
+                   [&](std::size_t one, std::size_t other) {
+                     return std::pair(along(one), one) < std::pair(along(other), other);
+                   });
   group(tree, places, first, count / 2);
   group(tree, places, first + count / 2, count - count / 2);
 }

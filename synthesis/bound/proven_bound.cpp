@@ -28,12 +28,22 @@ using bounding::ModeFacts;
 using bounding::Range;
 using bounding::TreeNode;
 
+/// What trees over the same designs share.
+struct Ground {
+  Ground(const Spec& spec, const BoundOptions& options)
+      : poles(spec, options.self_contact), cuts(spec, options.stop) {}
+
+  bounding::PolePlaces poles;
+  bounding::ContactCuts cuts;
+  std::vector<Branch> branches{};
+  std::vector<std::unique_ptr<bounding::ObstacleTest>>
+      obstacle_tests{};  ///< one a branch, if there are obstacles
+};
+
 class Tree {
  public:
   Tree(const Spec& spec, Objective objective, const BoundOptions& options, const Trials* trials = nullptr)
-      : spec_(spec), options_(options), trials_(trials), by_size_(objective == Objective::size),
-        poles_(spec, options.self_contact), cuts_(spec, options.stop),
-        designs_(spec, by_size_, options, trials, poles_) {}
+      : Tree(spec, objective, options, trials, std::make_shared<Ground>(spec, options)) {}
 
   /// Nothing if it was stopped before every grounding was looked at: then nothing is proven of the others.
   std::optional<ProvenBound> grow() {
@@ -41,7 +51,8 @@ class Tree {
     grow_until(options_.tolerance);
     ProvenBound proven = proven_so_far();
     if (trials_ && proven.tight && designs_.best() < infinity) {
-      for (const auto& test : obstacle_tests_) test->demand_more(trials_->margin, trials_->places);
+      if (sees_loads()) proven.without_load_limit = grown_without_load_limit();
+      for (const auto& test : ground_->obstacle_tests) test->demand_more(trials_->margin, trials_->places);
       grow_until(trials_->tolerance);
       proven.exhausted = is_closed(trials_->tolerance);
       // What the trials came to meanwhile is a design all the same.
@@ -52,10 +63,38 @@ class Tree {
   }
 
  private:
-  const Branch& branch_of(const TreeNode& node) const { return branches_[node.branch]; }
+  Tree(const Spec& spec, Objective objective, const BoundOptions& options, const Trials* trials,
+       std::shared_ptr<Ground> ground)
+      : spec_(spec), options_(options), trials_(trials), objective_(objective),
+        by_size_(objective == Objective::size), ground_(std::move(ground)),
+        designs_(spec, by_size_, options, trials, ground_->poles) {}
+
+  /// The bound of designs that need not keep the limit on the load error: another tree goes on with the boxes that only this limit rules
+  /// out or makes less promising. Nothing if it was stopped.
+  std::optional<double> grown_without_load_limit() {
+    BoundOptions options = options_;
+    options.incumbent = by_size_ ? designs_.best() : -designs_.best();
+    options.share_of_gap = trials_->share_of_load_limit;
+    options.boxes = BoundOptions{}.boxes;
+    options.load_limit = false;
+    options.progress = {};
+    Tree tree(spec_, objective_, options, nullptr, ground_);
+    for (auto open = open_; !open.empty(); open.pop()) tree.open_without_loads(open.top());
+    for (const TreeNode& node : left_to_loads_) tree.open_without_loads(node);
+    tree.grow_until(options.tolerance);
+    if (options_.stop()) return std::nullopt;
+    return tree.proven_so_far().value;
+  }
+
+  void open_without_loads(TreeNode node) {
+    node.bound = node.without_loads;
+    if (node.bound < designs_.best()) open_.push(std::move(node));
+  }
+
+  const Branch& branch_of(const TreeNode& node) const { return ground_->branches[node.branch]; }
   const ModeFacts& mode_of(const TreeNode& node) const { return branch_of(node).mode; }
   bounding::ObstacleTest* obstacles_of(const TreeNode& node) const {
-    return sees_obstacles() ? obstacle_tests_[node.branch].get() : nullptr;
+    return sees_obstacles() ? ground_->obstacle_tests[node.branch].get() : nullptr;
   }
 
   const bounding::LoadFloor* loads_of(const TreeNode& node) const {
@@ -90,7 +129,7 @@ class Tree {
       if (opened_ % told_every == 0) tell_progress(tolerance);
       TreeNode node = open_.top();
       open_.pop();
-      if (options_.self_contact && !cuts_.rule_out(node, branch_of(node), boxes_)) continue;
+      if (options_.self_contact && !ground_->cuts.rule_out(node, branch_of(node), boxes_)) continue;
       if (!rule_out_by_obstacles(node, false)) continue;
       if (++opened_ <= 100 || opened_ % 8 == 0)
         designs_.try_in(node, branch_of(node), obstacles_of(node),
@@ -122,15 +161,15 @@ class Tree {
           trials_ != nullptr ? std::optional(sag_counts(spec_.limits)) : std::nullopt);
       for (const AssemblyMode& mode : assembly_modes(shape_of(spec_.copy.k(), grounding))) {
         if (options_.stop()) return false;
-        branches_.push_back(bounding::make_branch(spec_, grounding, mode, layers, options_.shortest));
+        ground_->branches.push_back(bounding::make_branch(spec_, grounding, mode, layers, options_.shortest));
         if (sees_loads()) {
-          load_floors_.emplace_back(spec_, branches_.back().mode);
-          load_trades_.emplace_back(spec_, branches_.back().mode);
+          load_floors_.emplace_back(spec_, ground_->branches.back().mode);
+          load_trades_.emplace_back(spec_, ground_->branches.back().mode);
         }
       }
     }
     if (sees_obstacles()) set_up_obstacle_tests();
-    for (std::size_t branch = 0; branch < branches_.size(); ++branch) {
+    for (std::size_t branch = 0; branch < ground_->branches.size(); ++branch) {
       if (options_.stop()) return false;
       plant(branch);
     }
@@ -138,16 +177,16 @@ class Tree {
   }
 
   void plant(std::size_t branch) {
-    const ModeFacts& a = branches_[branch].mode;
+    const ModeFacts& a = ground_->branches[branch].mode;
     if (a.a.empty() || a.b.empty() || a.allowed.empty()) return;
     TreeNode root;
     root.branch = branch;
-    poles_.plant(root);
+    ground_->poles.plant(root);
     root.lengths = {{a.b.lower / a.a.upper * 0.999, a.b.upper / a.a.lower * 1.001},
                     {2 * a.a.lower * a.b.lower * 0.999, 2 * a.a.upper * a.b.upper * 1.001}};
-    root.alive = bounding::LayerSet::all(branches_[branch].layers.size());
-    if (sees_obstacles()) root.alive.remove(obstacle_tests_[branch]->hit_by_the_copy());
-    if (!root.alive.empty() && poles_.measure(root)) grow_from(root);
+    root.alive = bounding::LayerSet::all(ground_->branches[branch].layers.size());
+    if (sees_obstacles()) root.alive.remove(ground_->obstacle_tests[branch]->hit_by_the_copy());
+    if (!root.alive.empty() && ground_->poles.measure(root)) grow_from(root);
   }
 
   /// Shrinks, bounds and keeps a box, or drops it.
@@ -160,12 +199,16 @@ class Tree {
     node.bound = bound_of(node);
     if (!by_size_ && -node.bound < spec_.limits.transmission) return;
     if (node.bound >= designs_.best()) return drop(node, designs_.best());
-    if (sees_loads() && loads_of(node)->exceeded_by_all(node.distances, node.lengths)) return;
-    if (sees_loads()) raise_by_loads(node);
-    if (!cuts_.repeat(node, branch_of(node)) || (node.sight.hit && !rule_out_by_obstacles(node, true)))
-      return;
+    node.without_loads = node.bound;
     node.number = boxes_;
-    open_.push(node);
+    if (sees_loads() && loads_of(node)->exceeded_by_all(node.distances, node.lengths)) {
+      if (trials_) left_to_loads_.push_back(std::move(node));
+      return;
+    }
+    if (sees_loads()) raise_by_loads(node);
+    if (!ground_->cuts.repeat(node, branch_of(node)) || (node.sight.hit && !rule_out_by_obstacles(node, true)))
+      return;
+    open_.push(std::move(node));
   }
 
   /// The bound of a box without a design that keeps the limit on the load error and is better than what the tree asks for.
@@ -190,11 +233,11 @@ class Tree {
   /// One for each branch.
   void set_up_obstacle_tests() {
     const auto scene = bounding::obstacle_scene(spec_, options_.stop);
-    obstacle_tests_.resize(branches_.size());
-    run_parallel(branches_.size(), options_.threads, [&](std::size_t branch) {
+    ground_->obstacle_tests.resize(ground_->branches.size());
+    run_parallel(ground_->branches.size(), options_.threads, [&](std::size_t branch) {
       std::vector<LayerAssignment> layers;
-      for (const bounding::LayerChoice& choice : branches_[branch].layers) layers.push_back(choice.layers);
-      obstacle_tests_[branch] = std::make_unique<bounding::ObstacleTest>(spec_, branches_[branch].mode,
+      for (const bounding::LayerChoice& choice : ground_->branches[branch].layers) layers.push_back(choice.layers);
+      ground_->obstacle_tests[branch] = std::make_unique<bounding::ObstacleTest>(spec_, ground_->branches[branch].mode,
                                                                          layers, scene, options_.stop);
     });
   }
@@ -202,9 +245,9 @@ class Tree {
   /// Drops layer assignments in which every design of the box has a part in an obstacle, body or the table's edge; false if none is left.
   bool rule_out_by_obstacles(TreeNode& node, bool only_where_last) {
     if (!sees_obstacles()) return true;
-    if (!only_where_last) boxes_ += obstacle_tests_[node.branch]->cost(node.sight);
+    if (!only_where_last) boxes_ += ground_->obstacle_tests[node.branch]->cost(node.sight);
     node.alive =
-        obstacle_tests_[node.branch]->not_hit(design_box(node), node.alive, node.sight, only_where_last);
+        ground_->obstacle_tests[node.branch]->not_hit(design_box(node), node.alive, node.sight, only_where_last);
     return !node.alive.empty();
   }
 
@@ -228,7 +271,7 @@ class Tree {
     TreeNode fixed = node;
     fixed.x.lower = fixed.x.upper = node.pole().x();
     fixed.y.lower = fixed.y.upper = node.pole().y();
-    if (node.pole_is_known() || !poles_.measure_distances(fixed)) return 1;
+    if (node.pole_is_known() || !ground_->poles.measure_distances(fixed)) return 1;
     if (!bounding::contract(mode_of(node), fixed.distances, designs_.transmission(), fixed.lengths)) return 1;
     if (bound_of(fixed) > node.bound) return 1;
     // Where all designs of a box have no opening in common, nothing is said of their contact.
@@ -259,7 +302,7 @@ class Tree {
       part(lower).upper = middle;
       part(upper).lower = middle;
       for (TreeNode* half : {&lower, &upper})
-        if (widest == width.t || widest == width.w || poles_.measure(*half)) grow_from(*half);
+        if (widest == width.t || widest == width.w || ground_->poles.measure(*half)) grow_from(*half);
     };
     if (widest == width.t)
       return halve([](TreeNode& n) -> Range& { return n.lengths.t; },
@@ -311,14 +354,12 @@ class Tree {
   const Spec& spec_;
   const BoundOptions& options_;
   const Trials* trials_;  // absent: designs of the relaxation are as good as any
+  Objective objective_;
   bool by_size_;
-  bounding::PolePlaces poles_;
-  std::vector<Branch> branches_;
-  std::vector<std::unique_ptr<bounding::ObstacleTest>>
-      obstacle_tests_;                            // one a branch, if there are obstacles
+  std::shared_ptr<Ground> ground_;
   std::vector<bounding::LoadFloor> load_floors_;  // one a branch, if loads are to be seen
   std::vector<bounding::LoadTrade> load_trades_;  // the same
-  bounding::ContactCuts cuts_;
+  std::vector<TreeNode> left_to_loads_;           // of a search: boxes that only the load limit rules out
   bounding::RelaxedDesigns designs_;
   std::priority_queue<TreeNode, std::vector<TreeNode>, bounding::LessPromising> open_;
   std::array<std::optional<double>, 3> by_grounding_;

@@ -46,6 +46,8 @@ struct Trials {
   std::vector<Point> places{};  ///< of the tracer: where the search looks at obstacles
   double margin = 0;            ///< mm that it keeps away from them beyond the clearance
   double tolerance = 0;         ///< share of the best value known: nothing better by more is to be left
+  /// BoundOptions::share_of_gap of the bound of designs that need not keep the limit on the load error (ProvenBound::without_load_limit).
+  double share_of_load_limit = 0;
 };
 
 struct BoundOptions {
@@ -86,6 +88,8 @@ struct ProvenBound {
   bool tight = false;
   /// Of a search: so was that of the trials.
   bool exhausted = false;
+  /// Of a search with a limit on the load error, if tight: the same bound of designs that need not keep it. Absent if it was stopped.
+  std::optional<double> without_load_limit{};
   /// Best value of the relaxation that was met (incumbent included): a better bound than this cannot be had
   /// by it. Absent if none was met.
   std::optional<double> relaxation;

@@ -14,7 +14,8 @@ namespace kempe::bounding {
 inline constexpr std::size_t kept_cuts = 4;
 
 struct TreeNode {
-  double bound = 0;  ///< smaller is more promising: size, or minus the transmission angle
+  double bound = 0;          ///< smaller is more promising: size, or minus the transmission angle
+  double without_loads = 0;  ///< the bound of designs that need not keep the limit on the load error
   std::size_t number = 0;
   std::size_t branch = 0;
   Range x, y;                  ///< the pole's place, mm

@@ -86,7 +86,7 @@ SearchResult searched_again(const SearchTask& task, SearchResult found,
 }
 
 SearchResult improved(const SearchTask& task, SearchResult found) {
-  if (found.exhausted && !task.limits.load_error) {
+  if (found.exhausted && (found.bound || !task.limits.load_error)) {
     found.design->proven_bound = found.bound;
     return found;
   }

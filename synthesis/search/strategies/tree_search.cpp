@@ -35,18 +35,18 @@ class TreeSearch {
         .design = best_.design,
         .stopped = task_.stopped(),
         .exhausted = tree && tree->exhausted && !task_.stopped(),
-        .bound = tree && tree->tight && !sees_loads() ? std::optional(holding(tree->value)) : std::nullopt,
+        .bound = tree && tree->tight ? told(*tree) : std::nullopt,
         .evaluations = best_.evaluations};
   }
 
  private:
-  /// True if the tree's bound is one of designs that keep the limit on the load error, which no bound that is told rests on.
-  bool sees_loads() const { return task_.limits.load_error.has_value(); }
-
-  /// The bound, where the last digits made a design a trifle better than the one it was proven with.
-  double holding(double bound) const {
+  /// The tree's bound; no bound that is told rests on the limit on the load error. Where the last digits made a design a trifle better than the
+  /// one it was proven with, it holds all the same.
+  std::optional<double> told(const ProvenBound& tree) const {
+    const auto bound = task_.limits.load_error ? tree.without_load_limit : std::optional(tree.value);
+    if (!bound) return std::nullopt;
     const double value = best_.design->value;
-    return is_maximized(task_.goal) ? std::max(bound, value) : std::min(bound, value);
+    return is_maximized(task_.goal) ? std::max(*bound, value) : std::min(*bound, value);
   }
 
   Trials trials() {
@@ -54,7 +54,8 @@ class TreeSearch {
             .most = task_.budgets().tree.trials,
             .places = task_.space().tracer_places(),
             .margin = slack::inward_obstacle * task_.space().layout().unit,
-            .tolerance = slack::tree_search};
+            .tolerance = slack::tree_search,
+            .share_of_load_limit = slack::gap_of_a_limit};
   }
 
   Trial try_from(const RelaxedDesign& start) {

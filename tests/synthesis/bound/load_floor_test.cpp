@@ -213,6 +213,37 @@ TEST(LoadFloor, TheTreeUnderLoadIsABoundNearTheDesign) {
   EXPECT_LE(*found->proven_bound, without->value * (1 + 1e-12));
 }
 
+/// The bound that a search under the limit tells goes on with its own boxes. Beside it the bound of a tree of its own, and designs.
+TEST(LoadFloor, TheBoundOfASearchUnderLoadIsThatOfATreeWithoutTheLimit) {
+  test::SpecDice dice(58);
+  int compared = 0;
+  for (int i = 0; i < test::samples(15); ++i) {
+    Spec spec = loaded(dice.spec(), 1e6);
+    spec.links.layers = 2;
+    for (int n = 0; n < 2; ++n) spec.obstacles.push_back(dice.obstacle_beside(spec));
+    if (i % 3 == 0) spec.objective.objective = Objective::transmission;
+    const SearchOutcome free = synthesize(spec, {.diagnose = false});
+    const auto* without = std::get_if<FoundDesign>(&free);
+    if (!without || !(without->attained.load_error < 1e5)) continue;
+    spec.limits.load_error = dice.uniform(0.8, 0.95) * without->attained.load_error;
+    const SearchOutcome outcome = synthesize(spec, {.diagnose = false});
+    const auto* found = std::get_if<FoundDesign>(&outcome);
+    if (!found) continue;
+    ++compared;
+    const double sign = spec.objective.objective == Objective::size ? 1 : -1;
+    ASSERT_TRUE(found->proven_bound) << i;
+    const double told = sign * *found->proven_bound, best = sign * without->value, value = sign * found->value;
+    const double rounding = 1e-9 * std::abs(best);
+    EXPECT_LE(told, best + rounding) << i;
+    EXPECT_LE(told, value + rounding) << i;
+    const auto other = proven_bound(spec, {.incumbent = found->value, .tolerance = 1e-4, .share_of_gap = 0.05});
+    ASSERT_TRUE(other) << i;
+    // Both are at most a twentieth of what the limit costs, or 0.01 %, below the best without it.
+    EXPECT_NEAR(told, sign * other->value, 0.06 * std::max(0.0, value - best) + 1e-3 * std::abs(best)) << i;
+  }
+  EXPECT_GT(compared, test::expected(5));
+}
+
 TEST(LoadFloor, ALimitThatNoDesignKeepsLeavesNoBox) {
   const Spec spec = loaded(beside_a_fence(), 1e-5);
   const auto bound = proven_bound(spec, {.load_limit = true});
