@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -26,8 +25,6 @@ namespace {
 
 namespace py = pybind11;
 using namespace pybind11::literals;
-
-constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 /// How to work, as Python says it.
 struct Wishes {
@@ -105,8 +102,8 @@ void pose_all(const FinishedDesign& design, const Points& tracers, const std::ar
     const auto found = design.pose_with_tracer_at(tracers[i]);
     const auto* pose = std::get_if<Pose>(&found);
     for (const Joint joint : joints) {
-      *out++ = pose ? (*pose)[joint].x() : nowhere;
-      *out++ = pose ? (*pose)[joint].y() : nowhere;
+      *out++ = pose ? (*pose)[joint].x() : not_there;
+      *out++ = pose ? (*pose)[joint].y() : not_there;
     }
   }
 }
