@@ -130,8 +130,7 @@ std::string header(const Design& design, const ReportExtras& extras) {
   if (design.search && !design.search->complete) badges += html_badge(false, "Search stopped early");
   const std::string lead = fmt::format(
       "What the tracer follows, the pen draws {}, {}. The pole <b>{}</b> is fixed to the table at {}, "
-      "<b>{}</b> "
-      "carries the tracer and <b>{}</b> the pen.{}",
+      "<b>{}</b> carries the tracer and <b>{}</b> the pen.{}",
       size_text(design.scale), turn_text(design.rotation), joint_of(linkage, "pole"),
       point_text(linkage.pole()), joint_of(linkage, "tracer"), joint_of(linkage, "pen"),
       overlap_sentence(design));
