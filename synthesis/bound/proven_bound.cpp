@@ -1,6 +1,6 @@
 // The tree: the most promising box of designs is looked at first, split across its widest coordinate, and
 // each half is shrunk by reach and length limits, bounded, and dropped if the gap between original and copy
-// (pole_places.hpp), contact (contact_cuts.hpp, obstacles.hpp) or, where asked for, the limit on the load
+// (pole_places.hpp), contact (met_contacts.hpp, obstacles.hpp) or, where asked for, the limit on the load
 // error (load_floor.hpp, load_trade.hpp) rules it out. Designs met on the way (relaxed_designs.hpp) say how good a box must
 // be.
 
@@ -13,9 +13,9 @@
 #include <set>
 
 #include "kinematics/parallel.hpp"
-#include "synthesis/bound/contact_cuts.hpp"
 #include "synthesis/bound/load_floor.hpp"
 #include "synthesis/bound/load_trade.hpp"
+#include "synthesis/bound/met_contacts.hpp"
 #include "synthesis/bound/relaxed_designs.hpp"
 #include "synthesis/problem/local_frame.hpp"
 #include "workspace/obstructions.hpp"
@@ -115,7 +115,7 @@ class Tree {
       if (std::find(permitted.begin(), permitted.end(), grounding) == permitted.end()) continue;
       // A bound leaves turning bodies out; designs that are tried keep clear of them, in layers that know them.
       const auto bodies = trials_ != nullptr ? spec_.bodies : that_keep_direction(spec_.bodies);
-      const auto layers = bounding::layer_choices(
+      const auto layers = bounding::layer_candidates(
           spec_.copy.k(), grounding, spec_.links.layers,
           sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{},
           sees_obstacles() ? bodies : std::vector<Body>{},
@@ -193,7 +193,7 @@ class Tree {
     obstacle_tests_.resize(branches_.size());
     run_parallel(branches_.size(), options_.threads, [&](std::size_t branch) {
       std::vector<LayerAssignment> layers;
-      for (const bounding::LayerChoice& choice : branches_[branch].layers) layers.push_back(choice.layers);
+      for (const bounding::LayerCandidate& choice : branches_[branch].layers) layers.push_back(choice.layers);
       obstacle_tests_[branch] = std::make_unique<bounding::ObstacleTest>(spec_, branches_[branch].mode,
                                                                          layers, scene, options_.stop);
     });
@@ -318,7 +318,7 @@ class Tree {
       obstacle_tests_;                            // one a branch, if there are obstacles
   std::vector<bounding::LoadFloor> load_floors_;  // one a branch, if loads are to be seen
   std::vector<bounding::LoadTrade> load_trades_;  // the same
-  bounding::ContactCuts cuts_;
+  bounding::MetContacts cuts_;
   bounding::RelaxedDesigns designs_;
   std::priority_queue<TreeNode, std::vector<TreeNode>, bounding::LessPromising> open_;
   std::array<std::optional<double>, 3> by_grounding_;
