@@ -119,7 +119,7 @@ bool PathProgram::project(Eigen::VectorXd& x) const {
     x[2 * k] = z[k].real();
     x[2 * k + 1] = z[k].imag();
   }
-  return z.allFinite() && std::abs(z[1]) > 1e-6;
+  return z.allFinite() && std::abs(z[1]) > slack::path_least_crank;
 }
 
 bool PathProgram::project_the_rest(const Eigen::Matrix3cd& normal, const Eigen::Vector3cd& right,
@@ -146,7 +146,7 @@ bool PathProgram::project_the_rest(const Eigen::Matrix3cd& normal, const Eigen::
   const Eigen::Matrix<double, 6, 1> z = factors.solve(wanted);
   for (int i = 0; i < 6; ++i)
     if (!is_given(i)) x[i] = z[i];
-  return z.allFinite() && (is_given(3) ? x[2] : std::hypot(x[2], x[3])) > 1e-6;
+  return z.allFinite() && (is_given(3) ? x[2] : std::hypot(x[2], x[3])) > slack::path_least_crank;
 }
 
 bool PathProgram::errors(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen::MatrixXd* slope) const {
@@ -158,7 +158,7 @@ bool PathProgram::errors(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen
   for (int i = 0; i < count(); ++i) {
     const Coupler at = coupler(x, angle(x, i));
     if (!at.closes) {
-      value[2 * i] = value[2 * i + 1] = 1e3;
+      value[2 * i] = value[2 * i + 1] = slack::path_not_closed;
       closes = false;
       continue;
     }
