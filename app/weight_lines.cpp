@@ -11,7 +11,7 @@ namespace kempe::app {
 namespace {
 
 /// Shares: an angle read in degrees is upright, and a limit is kept, but for rounding.
-constexpr double angle_rounding = 1e-12, limit_rounding = 1e-9;
+constexpr double angle_rounding = 1e-12, load_limit_rounding = 1e-9;
 
 bool stands_upright(const Design& design) {
   return design.load && design.load->tilt > pi / 2 * (1 - angle_rounding);
@@ -89,7 +89,7 @@ std::string budget_lines(const Design& design) {
             parts_of(*budget, false) + "\n";
   if (const auto& limit = design.limits.load_error; limit && design.quality.loads) {
     const double links = design.quality.loads->error_max, beyond = budget->beyond_the_links();
-    const double kept = *limit * (1 + limit_rounding);
+    const double kept = *limit * (1 + load_limit_rounding);
     if (links <= kept && links + beyond > kept)
       text += fmt::format(
           "             limits.load_error_mm speaks of the links alone; with {} the pen gives way by up to "

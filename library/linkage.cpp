@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "kinematics/planar/rates.hpp"
 #include "reports/linkages/animation.hpp"
@@ -23,8 +22,6 @@
 
 namespace kempe {
 namespace {
-
-constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
 
 /// What takes the place of an answer.
 template <typename Answer>
@@ -65,19 +62,21 @@ tl::expected<RunFrame, NoRun> moment_at(const LoadedLinkage& loaded, double step
   return frame_at_step(loaded, *start, step, "at", choice.stop);
 }
 
+/// False where the motion stopped.
+bool has_rates(const RunFrame& frame) { return frame.rate.size() > 0; }
+
 std::vector<MovedPoint> moved_points(const LinkageModel& model, const PlanarRun& run) {
   std::vector<MovedPoint> points;
   for (const ModelPoint& point : model.points) {
     MovedPoint& moved = points.emplace_back();
     moved.name = point.name;
     for (const RunFrame& frame : run.frames) {
-      const bool known = frame.rate.size() > 0;
+      auto& velocity = moved.velocities.emplace_back();
+      auto& acceleration = moved.accelerations.emplace_back();
       moved.places.push_back(place(frame.position, point.place));
-      moved.velocities.push_back(known ? velocity_of(frame.position, frame.rate, point.place)
-                                       : Point(not_there, not_there));
-      moved.accelerations.push_back(
-          known ? acceleration_of(frame.position, frame.rate, frame.second, point.place)
-                : Point(not_there, not_there));
+      if (!has_rates(frame)) continue;
+      velocity = velocity_of(frame.position, frame.rate, point.place);
+      acceleration = acceleration_of(frame.position, frame.rate, frame.second, point.place);
     }
   }
   return points;
@@ -90,10 +89,12 @@ std::vector<MovedLink> moved_links(const LoadedLinkage& loaded, const PlanarRun&
     MovedLink& moved = links.emplace_back();
     moved.name = link.name;
     for (const RunFrame& frame : run.frames) {
-      const bool known = frame.rate.size() > 0;
+      auto& rate = moved.rates.emplace_back();
+      auto& acceleration = moved.accelerations.emplace_back();
       moved.angles.push_back(frame.position[static_cast<std::size_t>(body)].angle);
-      moved.rates.push_back(known ? spin_of(frame.rate, body) : not_there);
-      moved.accelerations.push_back(known ? spin_of(frame.second, body) : not_there);
+      if (!has_rates(frame)) continue;
+      rate = spin_of(frame.rate, body);
+      acceleration = spin_of(frame.second, body);
     }
   }
   return links;
@@ -104,7 +105,7 @@ std::vector<MotionColumn> columns_of(const SolveTable& table) {
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const bool is_force = table.kinds[i] == ColumnKind::force || table.kinds[i] == ColumnKind::moment;
     MotionColumn& column = columns.emplace_back(MotionColumn{table.columns[i], {}, is_force});
-    for (const auto& row : table.rows) column.values.push_back(row[i].value_or(not_there));
+    for (const auto& row : table.rows) column.values.push_back(row[i]);
   }
   return columns;
 }
@@ -120,8 +121,10 @@ std::vector<JointReaction> reactions_of(const LoadedLinkage& loaded, const std::
     JointReaction& reaction = reactions.emplace_back();
     reaction.name = forces[i].name.substr(0, forces[i].name.size() - suffix.size());
     const MotionColumn &x = table[first + i], &y = table[first + i + 1];
-    for (std::size_t row = 0; row < x.values.size(); ++row)
-      reaction.forces.emplace_back(x.values[row], y.values[row]);
+    for (std::size_t row = 0; row < x.values.size(); ++row) {
+      auto& force = reaction.forces.emplace_back();
+      if (x.values[row] && y.values[row]) force = Point(*x.values[row], *y.values[row]);
+    }
   }
   return reactions;
 }

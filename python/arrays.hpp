@@ -5,11 +5,16 @@
 #include <pybind11/pybind11.h>
 
 #include <cstring>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "kempe/region.hpp"
 
 namespace kempe::python {
+
+/// What stands in an array where there is no value.
+inline constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
 
 /// Numbers of Python as they are where they are doubles in one piece, else a copy of them that is.
 using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
@@ -41,6 +46,22 @@ inline Numbers array_of(const std::vector<Point>& points) {
 /// An array (n,) of its own.
 inline Numbers array_of(const std::vector<double>& values) {
   return Numbers(static_cast<pybind11::ssize_t>(values.size()), values.data());
+}
+
+/// An array (n, 2) of its own, NaN where there is no point.
+inline Numbers array_of(const std::vector<std::optional<Point>>& points) {
+  std::vector<Point> all;
+  all.reserve(points.size());
+  for (const auto& point : points) all.push_back(point.value_or(Point(not_there, not_there)));
+  return array_of(all);
+}
+
+/// An array (n,) of its own, NaN where there is no value.
+inline Numbers array_of(const std::vector<std::optional<double>>& values) {
+  std::vector<double> all;
+  all.reserve(values.size());
+  for (const auto& value : values) all.push_back(value.value_or(not_there));
+  return array_of(all);
 }
 
 /// The points of an array.

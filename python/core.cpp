@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -26,8 +25,6 @@ namespace {
 
 namespace py = pybind11;
 using namespace pybind11::literals;
-
-constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 /// How to work, as Python says it.
 struct Wishes {
@@ -105,8 +102,8 @@ void pose_all(const FinishedDesign& design, const Points& tracers, const std::ar
     const auto found = design.pose_with_tracer_at(tracers[i]);
     const auto* pose = std::get_if<Pose>(&found);
     for (const Joint joint : joints) {
-      *out++ = pose ? (*pose)[joint].x() : nowhere;
-      *out++ = pose ? (*pose)[joint].y() : nowhere;
+      *out++ = pose ? (*pose)[joint].x() : not_there;
+      *out++ = pose ? (*pose)[joint].y() : not_there;
     }
   }
 }
@@ -322,7 +319,7 @@ void add_specs(py::module_& module) {
       "page"_a, "spec"_a, "name"_a, "folder"_a);
 }
 
-void add_designs(py::module_& module) {
+void add_maps(py::module_& module) {
   py::class_<Map>(module, "Map")
       .def_property_readonly("covers_region", &Map::covers_region)
       .def_property_readonly("why_not_covered", &Map::why_not_covered)
@@ -342,6 +339,9 @@ void add_designs(py::module_& module) {
       .def("largest_sheets", &sheets_of)
       .def("at", &verdict_at, "x"_a, "y"_a)
       .def("are_free", &are_free, "tracers"_a);
+}
+
+void add_drawing_options(py::module_& module) {
   py::class_<DrawingOptions>(module, "DrawingOptions")
       .def(py::init([](const std::optional<std::array<double, 2>>& at, std::optional<double> scale, bool fit,
                        std::optional<double> tolerance, std::optional<double> step,
@@ -352,8 +352,13 @@ void add_designs(py::module_& module) {
            }),
            "at"_a, "scale"_a, "fit"_a, "tolerance"_a, "step"_a, "instrument"_a, "load"_a, "joints"_a,
            "forces"_a);
-  py::class_<FinishedDesign>(module, "Design")
-      .def_property_readonly("copy", [](const FinishedDesign& design) { return design.copy().k(); })
+}
+
+using DesignClass = py::class_<FinishedDesign>;
+
+/// What the linkage is.
+void add_linkage_of(DesignClass& type) {
+  type.def_property_readonly("copy", [](const FinishedDesign& design) { return design.copy().k(); })
       .def_property_readonly("scale", [](const FinishedDesign& design) { return design.copy().scale(); })
       .def_property_readonly("rotation",
                              [](const FinishedDesign& design) { return design.copy().rotation(); })
@@ -368,12 +373,15 @@ void add_designs(py::module_& module) {
       .def_property_readonly("lengths", &lengths_of)
       .def_property_readonly(
           "layers", [](const FinishedDesign& design) { return py::tuple(py::cast(design.layers())); })
-      .def_property_readonly("opening",
-                             [](const FinishedDesign& design) {
-                               const OpeningInterval opening = design.opening();
-                               return py::make_tuple(opening.lower, opening.upper);
-                             })
-      .def_property_readonly("size", &FinishedDesign::size)
+      .def_property_readonly("opening", [](const FinishedDesign& design) {
+        const OpeningInterval opening = design.opening();
+        return py::make_tuple(opening.lower, opening.upper);
+      });
+}
+
+/// What is measured of it.
+void add_figures(DesignClass& type) {
+  type.def_property_readonly("size", &FinishedDesign::size)
       .def_property_readonly("transmission_min", &FinishedDesign::transmission_min)
       .def_property_readonly("clearance_min", &FinishedDesign::clearance_min)
       .def_property_readonly("footprint", &FinishedDesign::footprint)
@@ -399,8 +407,12 @@ void add_designs(py::module_& module) {
       .def_property_readonly("value", &FinishedDesign::value)
       .def_property_readonly("proven_bound", &FinishedDesign::proven_bound)
       .def_property_readonly("complete", &FinishedDesign::complete)
-      .def_property_readonly("map", &FinishedDesign::map)
-      .def("json",
+      .def_property_readonly("map", &FinishedDesign::map);
+}
+
+/// What it can do.
+void add_actions(DesignClass& type) {
+  type.def("json",
            [](const FinishedDesign& design) {
              return at_work(py::none(), [&](Hooks&) { return verified_json(design); });
            })
@@ -426,6 +438,13 @@ void add_designs(py::module_& module) {
       .def("write", &design_written, "folder"_a, "title"_a, "paper"_a, "studio"_a)
       .def("report", &report, "title"_a, py::call_guard<py::gil_scoped_release>())
       .def("drawing", &drawing, py::call_guard<py::gil_scoped_release>());
+}
+
+void add_designs(py::module_& module) {
+  DesignClass type(module, "Design");
+  add_linkage_of(type);
+  add_figures(type);
+  add_actions(type);
   module.def("restore", &restored, "json"_a, "name"_a, "is_own"_a, "time_limit"_a);
   module.def("write_front", &front_written, "first"_a, "second"_a, "points"_a, "folder"_a, "title"_a,
              "paper"_a);
@@ -534,6 +553,8 @@ void add_searches(py::module_& module) {
 PYBIND11_MODULE(_core, module) {
   module.attr("version") = KEMPE_VERSION;
   kempe::python::add_specs(module);
+  kempe::python::add_maps(module);
+  kempe::python::add_drawing_options(module);
   kempe::python::add_designs(module);
   kempe::python::add_searches(module);
   kempe::python::add_calibration(module);

@@ -134,9 +134,7 @@ py::object generated(const Generate& generate) {
   return py::make_tuple(answer.json, linkages, answer.plot);
 }
 
-}  // namespace
-
-void add_linkages(py::module_& module) {
+void add_reasons(py::module_& module) {
   py::class_<NoMotion>(module, "NoMotion")
       .def_property_readonly("sentence", [](const NoMotion& none) { return text_of(none.sentence); })
       .def_property_readonly("stopped", [](const NoMotion& none) { return none.stopped; });
@@ -144,15 +142,24 @@ void add_linkages(py::module_& module) {
       .def_property_readonly("sentence", [](const NothingGenerated& none) { return text_of(none.sentence); })
       .def_property_readonly("proven", [](const NothingGenerated& none) { return none.proven; })
       .def_property_readonly("stopped", [](const NothingGenerated& none) { return none.stopped; });
-  py::class_<Linkage>(module, "Linkage")
-      .def_property_readonly("text", &Linkage::text)
+}
+
+using LinkageClass = py::class_<Linkage>;
+
+/// What stands in its file.
+void add_contents(LinkageClass& type) {
+  type.def_property_readonly("text", &Linkage::text)
       .def_property_readonly("name", [](const Linkage& linkage) { return text_of(linkage.name()); })
       .def_property_readonly("unit", &Linkage::unit)
       .def_property_readonly("points", &Linkage::points)
       .def_property_readonly("links", &Linkage::links)
       .def_property_readonly("steps", &Linkage::steps)
-      .def_property_readonly("notes", &Linkage::notes)
-      .def(
+      .def_property_readonly("notes", &Linkage::notes);
+}
+
+/// How it closes, moves and is free to.
+void add_motions(LinkageClass& type) {
+  type.def(
           "assemblies",
           [](const Linkage& linkage, std::uint64_t seed) {
             return answered(
@@ -173,8 +180,12 @@ void add_linkages(py::module_& module) {
             return text_answered(seed, 0,
                                  [&](const AssemblyChoice& choice) { return linkage.mobility(choice); });
           },
-          "seed"_a)
-      .def("centres", at_step(&Linkage::centres), "step"_a, "assembly"_a, "seed"_a)
+          "seed"_a);
+}
+
+/// What is drawn and written of its motion.
+void add_views(LinkageClass& type) {
+  type.def("centres", at_step(&Linkage::centres), "step"_a, "assembly"_a, "seed"_a)
       .def("centres_drawing", at_step(&Linkage::centres_drawing), "step"_a, "assembly"_a, "seed"_a)
       .def("centres_page", at_step(&Linkage::centres_page), "step"_a, "assembly"_a, "seed"_a)
       .def("equations", at_step(&Linkage::equations), "step"_a, "assembly"_a, "seed"_a)
@@ -189,6 +200,9 @@ void add_linkages(py::module_& module) {
             });
           },
           "is_page"_a, "steps"_a, "assembly"_a, "seed"_a, "wanted"_a);
+}
+
+void add_reading(py::module_& module) {
   module.def(
       "parse_linkage",
       [](const std::string& text, const std::string& name) {
@@ -204,6 +218,9 @@ void add_linkages(py::module_& module) {
         return value_or_faults(at_work(py::none(), [&](Hooks&) { return chains(links, freedoms); }));
       },
       "links"_a, "freedoms"_a);
+}
+
+void add_function_generator(py::module_& module) {
   module.def(
       "generate_function",
       [](const std::filesystem::path& file, const std::optional<double>& time_limit) {
@@ -217,6 +234,9 @@ void add_linkages(py::module_& module) {
             [&](Hooks& hooks) { return generate_function_text(spec, "", limited(time_limit, hooks)); });
       },
       "spec"_a, "time_limit"_a);
+}
+
+void add_inversor(py::module_& module) {
   module.def(
       "generate_inversor",
       [](const std::filesystem::path& file) { return generated([&] { return generate_inversor(file); }); },
@@ -225,6 +245,9 @@ void add_linkages(py::module_& module) {
       "generate_inversor_text",
       [](const std::string& spec) { return generated([&] { return generate_inversor_text(spec); }); },
       "spec"_a);
+}
+
+void add_path_generator(py::module_& module) {
   py::class_<PlagiographOptions>(module, "PlagiographOptions")
       .def(py::init([](double scale, double rotation_deg, const std::string& pole, int cognate) {
              return PlagiographOptions{scale, radians(rotation_deg), pole, cognate};
@@ -242,6 +265,20 @@ void add_linkages(py::module_& module) {
         return generated([&] { return generate_path_text(spec, "", copy); });
       },
       "spec"_a, "copy"_a);
+}
+
+}  // namespace
+
+void add_linkages(py::module_& module) {
+  add_reasons(module);
+  LinkageClass type(module, "Linkage");
+  add_contents(type);
+  add_motions(type);
+  add_views(type);
+  add_reading(module);
+  add_function_generator(module);
+  add_inversor(module);
+  add_path_generator(module);
 }
 
 }  // namespace kempe::python

@@ -405,9 +405,8 @@ tl::expected<InversorSpec, InputError> read_inversor_spec(std::string_view text,
   spec.transmission = radians(10);
   reader.angle("limits", "transmission_deg", spec.transmission, 0, 89, false);
   reader.number("links", "shortest_mm", spec.shortest, 0, 1e6, false, " mm");
-  double longest = 1e6;
-  reader.number("links", "longest_mm", longest, 0, 1e6, false, " mm");
-  spec.longest = longest;
+  spec.longest = 1e6;
+  reader.number("links", "longest_mm", spec.longest, 0, 1e6, false, " mm");
   if (!complaints.none()) return tl::unexpected(or_other_kind(complaints.all(), text, FileKind::inversor));
   return spec;
 }

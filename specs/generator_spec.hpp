@@ -33,8 +33,8 @@ struct FunctionSpec {
 struct InversorSpec {
   double focal_length = 0;  ///< mm
   double magnification_lower = 0, magnification_upper = 0;
-  double transmission = 0;               ///< rad
-  double shortest = 0, longest = 1e300;  ///< mm
+  double transmission = 0;           ///< rad
+  double shortest = 0, longest = 0;  ///< mm; the longest is 1e6 where the file says nothing
 };
 
 /// A path-generating four-bar, as asked for.

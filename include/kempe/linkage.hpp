@@ -43,34 +43,34 @@ struct PlacedPoint {
   Point at = Point::Zero();  ///< mm
 };
 
-/// A point at the moments of a motion: mm, mm/s, mm/s^2, table frame. NaN where rates do not exist: where the motion stopped.
+/// A point at the moments of a motion: mm, mm/s, mm/s^2, table frame. Nothing where rates do not exist: where the motion stopped.
 struct MovedPoint {
-  std::string name;                  ///< as in the file
-  std::vector<Point> places;         ///< mm
-  std::vector<Point> velocities;     ///< mm/s
-  std::vector<Point> accelerations;  ///< mm/s^2
+  std::string name;                                 ///< as in the file
+  std::vector<Point> places;                        ///< mm
+  std::vector<std::optional<Point>> velocities;     ///< mm/s
+  std::vector<std::optional<Point>> accelerations;  ///< mm/s^2
 };
 
-/// A link at the moments of a motion: rad (not folded), rad/s, rad/s^2. NaN like a point's rates.
+/// A link at the moments of a motion: rad (not folded), rad/s, rad/s^2. Nothing where a point has no rates.
 struct MovedLink {
-  std::string name;                   ///< as in the file
-  std::vector<double> angles;         ///< rad, of the link's x axis
-  std::vector<double> rates;          ///< rad/s
-  std::vector<double> accelerations;  ///< rad/s^2
+  std::string name;                                  ///< as in the file
+  std::vector<double> angles;                        ///< rad, of the link's x axis
+  std::vector<std::optional<double>> rates;          ///< rad/s
+  std::vector<std::optional<double>> accelerations;  ///< rad/s^2
 };
 
-/// The force on a link in a joint, or on what a guide holds, at the moments: N, table frame. NaN where it does not exist or rigid
-/// links do not determine it.
+/// The force on a link in a joint, or on what a guide holds, at the moments: N, table frame. Nothing where it does not exist or
+/// rigid links do not determine it.
 struct JointReaction {
-  std::string name;           ///< "B_on_rod", "C_from_ground"
-  std::vector<Point> forces;  ///< N
+  std::string name;                          ///< "B_on_rod", "C_from_ground"
+  std::vector<std::optional<Point>> forces;  ///< N
 };
 
-/// A column of the table of `kempe solve`, NaN where it has no value.
+/// A column of the table of `kempe solve`.
 struct MotionColumn {
-  std::string name;            ///< with its unit: "step", "P_x_m", "drive_P_y_N"
-  std::vector<double> values;  ///< a moment each
-  bool is_force = false;       ///< or moment
+  std::string name;                           ///< with its unit: "step", "P_x_m", "drive_P_y_N"
+  std::vector<std::optional<double>> values;  ///< a moment each; nothing where it has no value
+  bool is_force = false;                      ///< or moment
 };
 
 /// How a motion ended before its time.

@@ -202,69 +202,99 @@ inline void PlanarEquations::add_joint(Eigen::MatrixXd& jacobian, const Entry& e
   jacobian(entry.second_row, x + 2) += sign * arm.turned.x();
 }
 
+/// Writes F(q), and dF/dq unless that is null, a constraint at a time.
+class PlanarEquations::Evaluation {
+ public:
+  Evaluation(const PlanarEquations& equations, const Eigen::VectorXd& q, Eigen::VectorXd& f,
+             Eigen::MatrixXd* jacobian)
+      : equations_(equations), q_(q), f_(f), jacobian_(jacobian) {}
+
+  void write(const Entry& entry) {
+    std::visit([&](const auto& constraint) { write(constraint, entry); }, entry.constraint);
+  }
+
+ private:
+  Arm arm(const BodyPoint& point) const { return equations_.arm(q_, point); }
+  double angle(int body) const { return moves(body) ? q_[3 * body - 1] : 0.0; }
+
+  void add_angle(int row, int body, double slope) { equations_.add_angle(*jacobian_, row, body, slope); }
+  void add_point(int row, const Arm& arm, const Point& along) {
+    equations_.add_point(*jacobian_, row, arm, along);
+  }
+
+  /// u . (P - O), u turning with O's body; its derivative goes to the row.
+  double along_line(int row, const BodyPoint& point, const BodyPoint& origin, const Point& direction) {
+    const Arm p = arm(point), o = arm(origin);
+    const Point u = equations_.turned(origin.body, direction), d = p.at - o.at;
+    if (jacobian_) {
+      add_point(row, p, u);
+      add_point(row, o, -u);
+      add_angle(row, origin.body, left_of(u).dot(d));
+    }
+    return u.dot(d);
+  }
+
+  void write(const Revolute& c, const Entry& entry) {
+    const Arm a = arm(c.a), b = arm(c.b);
+    f_[entry.row] = a.at.x() - b.at.x();
+    f_[entry.second_row] = a.at.y() - b.at.y();
+    if (!jacobian_) return;
+    add_joint(*jacobian_, entry, a, 1);
+    add_joint(*jacobian_, entry, b, -1);
+  }
+
+  void write(const Coordinate& c, const Entry& entry) {
+    f_[entry.row] = along_line(entry.row, c.point, c.origin, c.direction) - c.value;
+  }
+
+  void write(const Distance& c, const Entry& entry) {
+    const Arm a = arm(c.a), b = arm(c.b);
+    const Point d = a.at - b.at;
+    f_[entry.row] = (d.norm() - c.value) * (d.norm() + c.value) / (2 * entry.scale);
+    if (!jacobian_) return;
+    add_point(entry.row, a, d / entry.scale);
+    add_point(entry.row, b, -d / entry.scale);
+  }
+
+  void write(const RelativeAngle& c, const Entry& entry) {
+    const double size = equations_.size_;
+    f_[entry.row] = size * (angle(c.body) - angle(c.reference) - c.value);
+    if (!jacobian_) return;
+    add_angle(entry.row, c.body, size);
+    add_angle(entry.row, c.reference, -size);
+  }
+
+  void write(const GearPair& c, const Entry& entry) {
+    const double a = entry.scale * c.first_radius, b = entry.scale * c.second_radius;
+    f_[entry.row] = a * (angle(c.first) - angle(c.carrier)) + b * (angle(c.second) - angle(c.carrier)) -
+                    entry.scale * c.value;
+    if (!jacobian_) return;
+    add_angle(entry.row, c.first, a);
+    add_angle(entry.row, c.second, b);
+    add_angle(entry.row, c.carrier, -a - b);
+  }
+
+  void write(const RackAndPinion& c, const Entry& entry) {
+    const int pinion = c.centre.body, rack = c.rack_origin.body;
+    f_[entry.row] = along_line(entry.row, c.centre, c.rack_origin, c.direction) +
+                    c.radius * (angle(pinion) - angle(rack)) - c.value;
+    if (!jacobian_) return;
+    add_angle(entry.row, pinion, c.radius);
+    add_angle(entry.row, rack, -c.radius);
+  }
+
+  const PlanarEquations& equations_;
+  const Eigen::VectorXd& q_;
+  Eigen::VectorXd& f_;
+  Eigen::MatrixXd* jacobian_;
+};
+
 void PlanarEquations::evaluate(const Eigen::VectorXd& q, Eigen::VectorXd& f, Eigen::MatrixXd* jacobian) {
   turn_bodies(q);
   if (jacobian) jacobian->setZero(rows_, unknowns_);
   f.resize(rows_);
-  const auto angle = [&](int body) { return moves(body) ? q[3 * body - 1] : 0.0; };
-  /// u . (P - O), u turning with O's body; its derivative goes to the row.
-  const auto along_line = [&](int row, const BodyPoint& point, const BodyPoint& origin,
-                              const Point& direction) {
-    const Arm p = arm(q, point), o = arm(q, origin);
-    const Point u = turned(origin.body, direction), d = p.at - o.at;
-    if (jacobian) {
-      add_point(*jacobian, row, p, u);
-      add_point(*jacobian, row, o, -u);
-      add_angle(*jacobian, row, origin.body, left_of(u).dot(d));
-    }
-    return u.dot(d);
-  };
-  for (const Entry& entry : entries_) {
-    const int row = entry.row;
-    std::visit(Overloaded{[&](const Revolute& c) {
-                            const Arm a = arm(q, c.a), b = arm(q, c.b);
-                            f[row] = a.at.x() - b.at.x();
-                            f[entry.second_row] = a.at.y() - b.at.y();
-                            if (!jacobian) return;
-                            add_joint(*jacobian, entry, a, 1);
-                            add_joint(*jacobian, entry, b, -1);
-                          },
-                          [&](const Coordinate& c) {
-                            f[row] = along_line(row, c.point, c.origin, c.direction) - c.value;
-                          },
-                          [&](const Distance& c) {
-                            const Arm a = arm(q, c.a), b = arm(q, c.b);
-                            const Point d = a.at - b.at;
-                            f[row] = (d.norm() - c.value) * (d.norm() + c.value) / (2 * entry.scale);
-                            if (!jacobian) return;
-                            add_point(*jacobian, row, a, d / entry.scale);
-                            add_point(*jacobian, row, b, -d / entry.scale);
-                          },
-                          [&](const RelativeAngle& c) {
-                            f[row] = size_ * (angle(c.body) - angle(c.reference) - c.value);
-                            if (!jacobian) return;
-                            add_angle(*jacobian, row, c.body, size_);
-                            add_angle(*jacobian, row, c.reference, -size_);
-                          },
-                          [&](const GearPair& c) {
-                            const double a = entry.scale * c.first_radius, b = entry.scale * c.second_radius;
-                            f[row] = a * (angle(c.first) - angle(c.carrier)) +
-                                     b * (angle(c.second) - angle(c.carrier)) - entry.scale * c.value;
-                            if (!jacobian) return;
-                            add_angle(*jacobian, row, c.first, a);
-                            add_angle(*jacobian, row, c.second, b);
-                            add_angle(*jacobian, row, c.carrier, -a - b);
-                          },
-                          [&](const RackAndPinion& c) {
-                            const int pinion = c.centre.body, rack = c.rack_origin.body;
-                            f[row] = along_line(row, c.centre, c.rack_origin, c.direction) +
-                                     c.radius * (angle(pinion) - angle(rack)) - c.value;
-                            if (!jacobian) return;
-                            add_angle(*jacobian, row, pinion, c.radius);
-                            add_angle(*jacobian, row, rack, -c.radius);
-                          }},
-               entry.constraint);
-  }
+  Evaluation evaluation(*this, q, f, jacobian);
+  for (const Entry& entry : entries_) evaluation.write(entry);
 }
 
 void PlanarEquations::residual(const Eigen::VectorXd& q, Eigen::VectorXd& f) { evaluate(q, f, nullptr); }

@@ -119,6 +119,7 @@ class PlanarEquations {
   void add_angle(Eigen::MatrixXd& jacobian, int row, int body, double slope) const;
   void add_point(Eigen::MatrixXd& jacobian, int row, const Arm& arm, const Point& along) const;
   static void add_joint(Eigen::MatrixXd& jacobian, const Entry& entry, const Arm& arm, double sign);
+  class Evaluation;
   void evaluate(const Eigen::VectorXd& q, Eigen::VectorXd& f, Eigen::MatrixXd* jacobian);
 
   std::vector<Entry> entries_;

@@ -64,8 +64,8 @@ class Centres {
   struct Known {
     Projective at;
     InstantCentre::Source source;
-    int constraint = -1;
-    std::optional<std::array<CentreLine, 2>> lines;
+    std::optional<int> constraint{};
+    std::optional<std::array<CentreLine, 2>> lines{};
   };
 
   std::size_t pair_count() const { return links_.size() * (links_.size() - 1) / 2; }
@@ -87,14 +87,15 @@ class Centres {
     return linkage_.constraints()[static_cast<std::size_t>(number)].constraint;
   }
 
-  static KnownLine known_line(const Projective& line, CentreLine::From from, int via, int number) {
+  static KnownLine known_line(const Projective& line, CentreLine source) {
     const Point along(-line.y(), line.x());
     const bool finite = along.norm() > slack::distinct * line.norm();
-    return {line.normalized(), {from, via, number, finite ? along.normalized() : Point::Zero().eval()}};
+    source.direction = finite ? along.normalized() : Point::Zero().eval();
+    return {line.normalized(), source};
   }
 
-  void set(const Pair& pair, const Projective& at, InstantCentre::Source source, int number) {
-    known_.try_emplace(pair, Known{at, source, number, std::nullopt});
+  void set(const Pair& pair, const Projective& at, InstantCentre::Source source, std::optional<int> number) {
+    known_.try_emplace(pair, Known{at, source, number});
   }
 
   void read_joint(int number) {
@@ -107,11 +108,11 @@ class Centres {
       const Projective pin = frame_.finite(place(position_, slot->point));
       const Projective normal = Frame::at_infinity(turned(position_, slot->origin.body, slot->direction));
       lines_[pair_of(slot->point.body, slot->origin.body)].push_back(
-          known_line(pin.cross(normal), CentreLine::From::slider, -1, number));
+          known_line(pin.cross(normal), {.from = CentreLine::From::slider, .constraint = number}));
     } else if (const auto* angle = std::get_if<RelativeAngle>(&constraint(number))) {
       if (!is_link(angle->body) || !is_link(angle->reference)) return;
       lines_[pair_of(angle->body, angle->reference)].push_back(
-          known_line(Projective(0, 0, 1), CentreLine::From::no_turning, -1, number));
+          known_line(Projective(0, 0, 1), {.from = CentreLine::From::no_turning, .constraint = number}));
     }
   }
 
@@ -164,7 +165,7 @@ class Centres {
       if (a == known_.end() || b == known_.end()) continue;
       const Projective line = a->second.at.cross(b->second.at);
       if (line.norm() > slack::distinct)
-        result.push_back(known_line(line, CentreLine::From::kennedy, via, -1));
+        result.push_back(known_line(line, {.from = CentreLine::From::kennedy, .via = via}));
     }
     return result;
   }
@@ -173,7 +174,7 @@ class Centres {
   bool add_best_crossing() {
     double best = slack::worthwhile_crossing;
     std::optional<Pair> found;
-    Known centre{Projective::Zero(), InstantCentre::Source::none, -1, std::nullopt};
+    Known centre{Projective::Zero(), InstantCentre::Source::none};
     for (std::size_t i = 0; i < links_.size(); ++i)
       for (std::size_t j = i + 1; j < links_.size(); ++j) {
         const Pair pair = pair_of(links_[i], links_[j]);
@@ -185,7 +186,7 @@ class Centres {
             if (at.norm() <= best) continue;
             best = at.norm();
             found = pair;
-            centre = {at.normalized(), InstantCentre::Source::lines, -1,
+            centre = {at.normalized(), InstantCentre::Source::lines, std::nullopt,
                       std::array{lines[a].source, lines[b].source}};
           }
       }
@@ -230,7 +231,7 @@ class Centres {
         const Pair pair{i, j};
         if (i >= j || known_.contains(pair)) continue;
         if (const auto at = from_velocity(pair)) {
-          known_.emplace(pair, Known{*at, InstantCentre::Source::rates, -1, std::nullopt});
+          known_.emplace(pair, Known{*at, InstantCentre::Source::rates});
           return true;
         }
       }

@@ -23,8 +23,8 @@ struct CentreLine {
     no_turning  ///< the line at infinity: the two links do not turn against each other
   };
   From from = From::kennedy;
-  int via = -1;                     ///< the third link, for kennedy
-  int constraint = -1;              ///< the constraint, else
+  std::optional<int> via{};         ///< the third link, for kennedy
+  std::optional<int> constraint{};  ///< the constraint, else
   Point direction = Point::Zero();  ///< unit vector along it; zero for the line at infinity
 };
 
@@ -42,7 +42,7 @@ struct InstantCentre {
   /// Unit vector towards it; at_infinity only. The links translate square to it
   Point direction = Point(1, 0);
   Source source = Source::none;
-  int constraint = -1;  ///< the primary's joint
+  std::optional<int> constraint;  ///< the primary's joint
   std::optional<std::array<CentreLine, 2>> lines;
   /// How unlike the two links move at it, relative: |v_i - v_j| / (speed of the pair)
   double velocity_error = 0;

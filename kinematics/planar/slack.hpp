@@ -13,6 +13,8 @@ inline constexpr double closed = 1e-13;
 inline constexpr double newtons_region = 1e-7;
 /// None: damping at first, and the least; a gain of less than this share with damping below this is none.
 inline constexpr double damping_at_first = 1e-3, least_damping = 1e-14, no_gain = 1e-9, stuck_damping = 1e-9;
+/// None: damping beyond which steps are too short to be worth a try.
+inline constexpr double most_damping = 1e9;
 /// Shares of the largest pivot below which a pivot counts as none, tried in this order: full rank first, then ever nearer to a
 /// singular position.
 inline constexpr std::array<double, 4> left_out{1e-11, 1e-8, 1e-5, 1e-3};

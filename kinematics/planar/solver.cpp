@@ -57,7 +57,7 @@ class Closing {
         if (stuck) return;
       } else {
         damping *= 6;
-        if (damping > 1e9) return;
+        if (damping > slack::most_damping) return;
         previous = linearise(q);
       }
     }

@@ -17,6 +17,7 @@
 #include "workspace/map/copy_gap.hpp"
 #include "workspace/map/largest_sheet.hpp"
 #include "workspace/reach.hpp"
+#include "workspace/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -52,8 +53,9 @@ void check_clearance(const AuditTask& task, AuditRecord& record) {
   }
   const double outer = reachable_annulus(task.linkage).outer;
   const bool obstacles = has_obstructions(task.map_task);
-  record.figure("quality.clearance_min_mm", stated, found,
-                task.slack + (obstacles ? std::min(certain_gap, certain_share * outer) : 0));
+  record.figure(
+      "quality.clearance_min_mm", stated, found,
+      task.slack + (obstacles ? std::min(slack::certain_gap, slack::certain_gap_share * outer) : 0));
 }
 
 /// The worst instrument found within the tolerances, where the first order understates the copy error.

@@ -16,6 +16,7 @@
 #include "workspace/contact/contact_scene.hpp"
 #include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
+#include "workspace/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -111,7 +112,7 @@ void check_beside(const AuditTask& task, const char* key, const Beside& beside, 
 
 void check_clearance_limit(const AuditTask& task, AuditRecord& record) {
   const double clearance = task.map_task.limits.clearance;
-  const double least = clearance - touching * reachable_annulus(task.linkage).outer - task.slack;
+  const double least = clearance - slack::touching * reachable_annulus(task.linkage).outer - task.slack;
   auto found = clearance_of(task, {});
   if (!found) {
     record.not_checked("limits.clearance_mm", "no place of the region is reached");
@@ -252,7 +253,7 @@ void check_robust_claim(const AuditTask& task, AuditRecord& record) {
     record.not_checked("quality.robust.nominal_value", "it is of another design, which need not be robust");
   if (!found.closes) return;
   const double rounding =
-      found.sharpness + task.slack + (task.map_task.obstacles.empty() ? 0 : 2 * certain_gap);
+      found.sharpness + task.slack + (task.map_task.obstacles.empty() ? 0 : 2 * slack::certain_gap);
   record.figure("quality.robust.clearance_min_mm", stated->clearance, found.clearance, rounding);
   const bool unknown =
       std::isinf(stated->clearance_loss) && !design.map.map_tolerance;  // its map was stopped

@@ -109,79 +109,117 @@ double most_over(const OpeningInterval& openings, const std::vector<double>& sam
   return std::max(*best, figure(top));
 }
 
-/// The same with the links in their layers and pins that give way, for the load's force; `weighs`: with the links' own weight along the table.
-LayeredFigures layered_response_over(const AuditTask& task, const OpeningInterval& openings, bool weighs) {
-  const StoredDesign& design = task.design;
-  const CopyingLinkage& linkage = task.linkage;
-  const Load& load = *design.load;
-  const double down = standard_gravity * std::cos(load.tilt);
-  const SpaceFrameParts parts{.straight = is_straight(linkage.shape()),
-                              .style = design.style,
-                              .hardware = design.hardware,
-                              .layers = design.layers,
-                              .E = design.material->E,
-                              .G = design.material->shear_modulus(),
-                              .link_weight = down * design.material->density * cubic_metres_per_mm3,
-                              .tracer_weight = down * load.tracer_mass,
-                              .pen_weight = down * load.pen_mass,
-                              .link_pull = weighs ? pull_along_table(design) : 0};
-  const double hole = widest_hole(design.style, design.hardware, as_built(design).cutting);
-  const bool has_stress = design.quality.layered->stress_max.has_value() && hole < design.style.width;
-  struct Here {
+/// The linkage with the links in their layers and pins that give way, under the load's force.
+class LayeredLinkage {
+ public:
+  /// `weighs`: with the links' own weight along the table.
+  LayeredLinkage(const AuditTask& task, bool weighs)
+      : task_(task), weighs_(weighs), parts_(parts_of(task, weighs)),
+        hole_(widest_hole(task.design.style, task.design.hardware, as_built(task.design).cutting)),
+        has_stress_(task.design.quality.layered->stress_max.has_value() && hole_ < task.design.style.width) {}
+
+  bool weighs() const { return weighs_; }
+  bool has_stress() const {
+    return has_stress_;
+  }  ///< false: it is not asked for, or holes leave nothing of a link
+
+  /// The figures at one opening.
+  struct Figures {
     MostOfFrame most;
     MostByPull by_weight{};
-    std::array<double, 4> stress{};
+    std::array<double, 4> stress{};  ///< of each link; without its weight all stands with the first
   };
-  const auto at = [&](double opening) -> Here {
+  Figures at(double opening) const {
+    const Load& load = *task_.design.load;
     const SpaceFrameResponse response =
-        space_frame_response(linkage.pose_at(opening, 0), roles_of(linkage.grounding()), parts);
+        space_frame_response(task_.linkage.pose_at(opening, 0), roles_of(task_.linkage.grounding()), parts_);
     const FrameTable table{load.rests_at(Carrier::tracer), load.rests_at(Carrier::pen), response.weighed};
     const double force = most_force_at_pen(load);
-    Here here{.most = most_movement(response, table, force)};
-    if (weighs)
-      here.by_weight =
-          most_by_pull(response, table, design.style, has_stress ? std::optional(hole) : std::nullopt);
+    Figures here{.most = most_movement(response, table, force)};
+    if (weighs_)
+      here.by_weight = most_by_pull(response, table, task_.design.style,
+                                    has_stress_ ? std::optional(hole_) : std::nullopt);
     for (const Link link : all_links)
-      here.stress[static_cast<std::size_t>(link)] =
-          has_stress && (weighs || link == Link::VA)
-              ? most_stress(response, table, force, design.style, hole,
-                            weighs ? std::optional(link) : std::nullopt)
-              : 0;
+      here.stress[static_cast<std::size_t>(link)] = stress(response, table, force, link);
     return here;
-  };
-  std::vector<double> give, rise, weight_give, weight_rise;
-  std::array<std::vector<double>, 4> stress, weight_stress;
-  for_each_opening(openings, openings_looked_at, [&](double opening) {
-    const Here here = at(opening);
-    give.push_back(here.most.give);
-    rise.push_back(here.most.rise);
-    weight_give.push_back(here.by_weight.give);
-    weight_rise.push_back(here.by_weight.rise);
-    for (std::size_t link = 0; link < stress.size(); ++link) {
-      stress[link].push_back(here.stress[link]);
-      weight_stress[link].push_back(here.by_weight.stress[link]);
+  }
+
+ private:
+  static SpaceFrameParts parts_of(const AuditTask& task, bool weighs) {
+    const StoredDesign& design = task.design;
+    const double down = standard_gravity * std::cos(design.load->tilt);
+    return {.straight = is_straight(task.linkage.shape()),
+            .style = design.style,
+            .hardware = design.hardware,
+            .layers = design.layers,
+            .E = design.material->E,
+            .G = design.material->shear_modulus(),
+            .link_weight = down * design.material->density * cubic_metres_per_mm3,
+            .tracer_weight = down * design.load->tracer_mass,
+            .pen_weight = down * design.load->pen_mass,
+            .link_pull = weighs ? pull_along_table(design) : 0};
+  }
+
+  double stress(const SpaceFrameResponse& response, const FrameTable& table, double force, Link link) const {
+    if (!has_stress_ || (!weighs_ && link != Link::VA)) return 0;
+    return most_stress(response, table, force, task_.design.style, hole_,
+                       weighs_ ? std::optional(link) : std::nullopt);
+  }
+
+  const AuditTask& task_;
+  bool weighs_;
+  SpaceFrameParts parts_;
+  double hole_;
+  bool has_stress_;
+};
+
+/// The most of the layered linkage's figures over the openings.
+class LayeredSamples {
+ public:
+  LayeredSamples(const LayeredLinkage& linkage, const OpeningInterval& openings)
+      : linkage_(linkage), openings_(openings) {
+    for_each_opening(openings, openings_looked_at,
+                     [&](double opening) { samples_.push_back(linkage.at(opening)); });
+  }
+
+  /// Of `figure(figures at an opening)`.
+  template <class Figure>
+  double most(const Figure& figure) const {
+    std::vector<double> sampled;
+    sampled.reserve(samples_.size());
+    for (const LayeredLinkage::Figures& here : samples_) sampled.push_back(figure(here));
+    return most_over(openings_, sampled, [&](double opening) { return figure(linkage_.at(opening)); });
+  }
+
+  /// Of all links. Each link's most by force and weights and its most by the pull along the table add up to no less than both together.
+  double most_stress() const {
+    double most_of_all = 0;
+    for (std::size_t link = 0; link < all_links.size(); ++link) {
+      double of_link = most([link](const auto& here) { return here.stress[link]; });
+      if (linkage_.weighs())
+        of_link += most([link](const auto& here) { return here.by_weight.stress[link]; });
+      if (!(of_link <= most_of_all)) most_of_all = of_link;  // NaN too
+      if (!linkage_.weighs()) break;
     }
-  });
-  LayeredFigures figures{most_over(openings, give, [&](double opening) { return at(opening).most.give; }),
-                         most_over(openings, rise, [&](double opening) { return at(opening).most.rise; }),
-                         HUGE_VAL};
+    return most_of_all;
+  }
+
+ private:
+  const LayeredLinkage& linkage_;
+  const OpeningInterval& openings_;
+  std::vector<LayeredLinkage::Figures> samples_;
+};
+
+LayeredFigures layered_response_over(const AuditTask& task, const OpeningInterval& openings, bool weighs) {
+  const LayeredLinkage linkage(task, weighs);
+  const LayeredSamples samples(linkage, openings);
+  LayeredFigures figures{samples.most([](const auto& here) { return here.most.give; }),
+                         samples.most([](const auto& here) { return here.most.rise; }), HUGE_VAL};
   if (weighs) {
-    figures.weight_error_max =
-        most_over(openings, weight_give, [&](double opening) { return at(opening).by_weight.give; });
-    figures.weight_rise_max =
-        most_over(openings, weight_rise, [&](double opening) { return at(opening).by_weight.rise; });
+    figures.weight_error_max = samples.most([](const auto& here) { return here.by_weight.give; });
+    figures.weight_rise_max = samples.most([](const auto& here) { return here.by_weight.rise; });
   }
-  if (!has_stress) return figures;
-  // Each link's most by force and weights and its most by the pull along the table add up to no less than both together.
-  figures.stress_max = 0;
-  for (std::size_t link = 0; link < stress.size(); ++link) {
-    double most = most_over(openings, stress[link], [&](double opening) { return at(opening).stress[link]; });
-    if (weighs)
-      most += most_over(openings, weight_stress[link],
-                        [&](double opening) { return at(opening).by_weight.stress[link]; });
-    if (!(most <= *figures.stress_max)) figures.stress_max = most;
-    if (!weighs) break;
-  }
+  if (linkage.has_stress()) figures.stress_max = samples.most_stress();
   return figures;
 }
 

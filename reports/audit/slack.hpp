@@ -1,6 +1,7 @@
 #pragma once
 // Every slack and threshold of the audit of stored designs and written files, each with its unit and its reason. All of them are far
-// above what rounding does to a file that is right, and far below what a workshop could make.
+// above what rounding does to a file that is right, and far below what a workshop could make. What the map takes as kept or is certain to
+// stands in workspace/slack.hpp.
 
 namespace kempe::audit_slack {
 
@@ -23,15 +24,11 @@ inline constexpr double share_of_sheet = 1e-2;
 inline constexpr double degrees_of_rounding = 1e-5;
 /// Of k, mm at the pen per mm at the tracer.
 inline constexpr double ratio_rounding = 1e-8;
-/// To what the gap to an obstacle is certified: mm, and for small linkages a share of the outer reach.
-inline constexpr double certain_gap = 1e-2, certain_share = 1e-4;
 
 // Limits
 
 /// rad.
 inline constexpr double angle_slack = 1e-7;
-/// Share of the outer reach: clearances that the map takes as kept.
-inline constexpr double touching = 1e-8;
 /// Share of the coordinates' size beside that of the linkage: what rounding moves places by, far from the origin.
 inline constexpr double share_of_coordinates = 1e-14;
 /// Share of a length: two that are one; and the same for a length that two locks give.

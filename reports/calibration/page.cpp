@@ -55,10 +55,9 @@ std::string header(const CalibrationRecord& record, bool is_simulated) {
     if (check && check->contradicts())
       badges += html_badge(false, "Residuals larger than the stated uncertainty");
   }
-  return fmt::format(
-      "<header>\n<p class=\"brand\">Kempe · calibration</p>\n<h1>{}</h1>\n<p class=\"lead\">{}</p>\n<ul "
-      "class=\"badges\">\n{}</ul>\n</header>\n",
-      html_escaped(title(record)), what_was_done(record, is_simulated), badges);
+  return "<header>\n" +
+         html_heading("Kempe · calibration", title(record), what_was_done(record, is_simulated)) +
+         "<ul class=\"badges\">\n" + badges + "</ul>\n</header>\n";
 }
 
 std::string key_figures(const CalibrationRecord& record) {

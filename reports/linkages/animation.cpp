@@ -237,18 +237,18 @@ std::string places_line(const LinkageScene& scene) {
 
 std::string animation_html(const LinkageScene& scene) {
   const PictureScale scale = PictureScale::of(scene.lower, scene.upper);
-  const std::string title = html_escaped(scene.title);
   const std::string ending =
       scene.ending.empty() ? "" : " The motion ends early: " + html_escaped(scene.ending) + ".";
   const double steps = scene.moments.back().step;
   std::string page =
       page_head(scene.title, {web_assets::style, web_assets::animation_style}, {web_assets::animation}) +
       "<body>\n";
-  page += fmt::format(
-      "<header>\n<p class=\"brand\">Kempe · linkage</p>\n<h1>{}</h1>\n<p class=\"lead\">Lengths in "
-      "{}.{}{}{}{}</p>\n</header>\n<main class=\"motion\">",
-      title, scene.unit == "in" ? "inches" : scene.unit, wanted_sentence(scene), beats_sentence(scene),
-      arrows_sentence(scene), ending);
+  page += "<header>\n" +
+          html_heading(
+              "Kempe · linkage", scene.title,
+              fmt::format("Lengths in {}.{}{}{}{}", scene.unit == "in" ? "inches" : scene.unit,
+                          wanted_sentence(scene), beats_sentence(scene), arrows_sentence(scene), ending)) +
+          "</header>\n<main class=\"motion\">";
   page += SvgElement("svg")
               .with("id", "picture")
               .with("viewBox", scale.view_box())

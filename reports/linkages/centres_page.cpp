@@ -52,14 +52,14 @@ std::string centres_html(const LinkageFile& file, const LinkageModel& model, con
                          double step, const std::vector<InstantCentre>& centres) {
   std::string page = page_head("Instant centres: " + scene.title,
                                {web_assets::style, web_assets::centres_style}, {web_assets::centres});
-  page += fmt::format(
-      "<body>\n<header>\n<p class=\"brand\">Kempe · instant centres</p>\n<h1>{}</h1>\n<p class=\"lead\">Step "
-      "{:.6g} of {}, lengths in {}. The instant centre of two links is the point where both move alike. The "
-      "three "
-      "centres of any three links lie on one line (Aronhold and Kennedy): two such lines give the next "
-      "centre.</p>\n"
-      "</header>\n<main class=\"construction\">\n<div>\n",
-      html_escaped(scene.title), step, file.steps, scene.unit == "in" ? "inches" : scene.unit);
+  const std::string lead = fmt::format(
+      "Step {:.6g} of {}, lengths in {}. The instant centre of two links is the point where both move alike. "
+      "The "
+      "three centres of any three links lie on one line (Aronhold and Kennedy): two such lines give the next "
+      "centre.",
+      step, file.steps, scene.unit == "in" ? "inches" : scene.unit);
+  page += "<body>\n<header>\n" + html_heading("Kempe · instant centres", scene.title, lead) +
+          "</header>\n<main class=\"construction\">\n<div>\n";
   page += centres_drawing(scene, centres, file.unit.in_mm);
   page +=
       "\n<div class=\"drive\"><button type=\"button\" id=\"back\">Back</button><button type=\"button\" "

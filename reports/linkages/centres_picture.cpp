@@ -135,7 +135,8 @@ class CentresPicture {
       const auto is_of = [&](int a, int b) {
         return centre.first == std::min(a, b) && centre.second == std::max(a, b);
       };
-      if (centre.kind == Kind::finite && (is_of(found.first, line.via) || is_of(line.via, found.second)))
+      if (line.via && centre.kind == Kind::finite &&
+          (is_of(found.first, *line.via) || is_of(*line.via, found.second)))
         return centre.at;
     }
     return std::nullopt;

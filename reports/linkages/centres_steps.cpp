@@ -19,13 +19,13 @@ struct LineWords {
 LineWords line_words(const LinkageModel& model, const std::map<int, int>& numbers,
                      const InstantCentre& centre, const CentreLine& line) {
   if (line.from == CentreLine::From::slider)
-    return {"on the normal of " + constraint_label(model, line.constraint), {}};
+    return {"on the normal of " + constraint_label(model, *line.constraint), {}};
   if (line.from == CentreLine::From::no_turning)
     return {"at infinity, for the two links do not turn against each other", {}};
-  const std::string one = centre_name(numbers, centre.first, line.via),
-                    other = centre_name(numbers, line.via, centre.second);
+  const std::string one = centre_name(numbers, centre.first, *line.via),
+                    other = centre_name(numbers, *line.via, centre.second);
   return {fmt::format("links {}, {}, {}: on the line through {} and {}", numbers.at(centre.first),
-                      numbers.at(line.via), numbers.at(centre.second), one, other),
+                      numbers.at(*line.via), numbers.at(centre.second), one, other),
           {one, other}};
 }
 

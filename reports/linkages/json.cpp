@@ -78,10 +78,10 @@ Json line_json(const LinkageModel& model, const InstantCentre& centre, const Cen
   if (line.from != CentreLine::From::kennedy)
     return {
         {"from", line.from == CentreLine::From::slider ? "square to the slider" : "no turning: at infinity"},
-        {"joint", constraint_label(model, line.constraint)}};
+        {"joint", constraint_label(model, *line.constraint)}};
   return {{"from", "aronhold-kennedy"},
-          {"through", Json::array({Json::array({link(centre.first), link(line.via)}),
-                                   Json::array({link(line.via), link(centre.second)})})}};
+          {"through", Json::array({Json::array({link(centre.first), link(*line.via)}),
+                                   Json::array({link(*line.via), link(centre.second)})})}};
 }
 
 Json centre_json(const LinkageFile& file, const LinkageModel& model, const InstantCentre& centre) {
@@ -94,7 +94,7 @@ Json centre_json(const LinkageFile& file, const LinkageModel& model, const Insta
   } else if (centre.kind == InstantCentre::Kind::at_infinity) {
     object["direction_deg"] = degrees(std::atan2(centre.direction.y(), centre.direction.x()));
   }
-  if (centre.constraint >= 0) object["joint"] = constraint_label(model, centre.constraint);
+  if (centre.constraint) object["joint"] = constraint_label(model, *centre.constraint);
   if (centre.lines)
     object["lines"] = {line_json(model, centre, (*centre.lines)[0]),
                        line_json(model, centre, (*centre.lines)[1])};
@@ -208,14 +208,14 @@ std::string number_synthesis_json(int links, int freedoms, const NumberSynthesis
 std::string source_of(const LinkageModel& model, const InstantCentre& centre) {
   const auto line = [&](const CentreLine& each) {
     if (each.from == CentreLine::From::slider)
-      return "the normal of " + constraint_label(model, each.constraint);
+      return "the normal of " + constraint_label(model, *each.constraint);
     if (each.from == CentreLine::From::no_turning) return std::string("the line at infinity");
     const auto pair = [&](int a, int b) {
       return fmt::format("({}, {})", model.linkage.body_name(a), model.linkage.body_name(b));
     };
-    return fmt::format("{}-{}", pair(centre.first, each.via), pair(each.via, centre.second));
+    return fmt::format("{}-{}", pair(centre.first, *each.via), pair(*each.via, centre.second));
   };
-  if (centre.source == InstantCentre::Source::primary) return constraint_label(model, centre.constraint);
+  if (centre.source == InstantCentre::Source::primary) return constraint_label(model, *centre.constraint);
   if (centre.source == InstantCentre::Source::rates) return "the velocities that the drivers give";
   if (centre.lines) return fmt::format("{} and {}", line((*centre.lines)[0]), line((*centre.lines)[1]));
   return "nothing: the links do not move against each other";

@@ -51,6 +51,11 @@ std::string html_page(std::string_view title, std::string_view program_version, 
          "</body>\n</html>\n";
 }
 
+std::string html_heading(std::string_view brand, std::string_view title, std::string_view lead) {
+  return fmt::format("<p class=\"brand\">{}</p>\n<h1>{}</h1>\n<p class=\"lead\">{}</p>\n", brand,
+                     html_escaped(title), lead);
+}
+
 std::string html_key_figure(std::string_view name, const std::string& value, const std::string& note) {
   return fmt::format("<div class=\"key\"><dt>{}</dt><dd>{}<small>{}</small></dd></div>\n", name, value, note);
 }

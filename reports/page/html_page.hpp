@@ -23,6 +23,10 @@ std::string page_element(std::string_view tag, const web_assets::Asset& asset);
 /// A whole page in the report's style; `body` is HTML, the rest is escaped. No script runs on it.
 std::string html_page(std::string_view title, std::string_view program_version, const std::string& body);
 
+/// What a page's header begins with: a line above its title, the title, and what it is about in some sentences. The title is escaped,
+/// `brand` and `lead` are HTML.
+std::string html_heading(std::string_view brand, std::string_view title, std::string_view lead);
+
 /// <div class="key"> of a <dl class="keys">; name and note are HTML.
 std::string html_key_figure(std::string_view name, const std::string& value, const std::string& note);
 

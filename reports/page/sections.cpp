@@ -128,17 +128,18 @@ std::string header(const Design& design, const ReportExtras& extras) {
   if (breaks_copy_error_limit(design))
     badges += html_badge(false, "An instrument can exceed the limit on the copy error");
   if (design.search && !design.search->complete) badges += html_badge(false, "Search stopped early");
-  return fmt::format(
-      "<header class=\"head\">\n<div>\n<p class=\"brand\">{}</p>\n<h1>{}</h1>\n"
-      "<p class=\"lead\">What the tracer follows, the pen draws {}, {}. The pole <b>{}</b> "
-      "is fixed "
-      "to the table at {}, <b>{}</b> carries the tracer and <b>{}</b> the pen.{}</p>\n</div>\n<div "
-      "class=\"state\">\n<ul "
-      "class=\"badges\">\n{}</ul>\n{}</div>\n{}{}</header>\n",
-      design.search ? "Kempe · design" : "Kempe · workspace of a given linkage", html_escaped(title(design)),
+  const std::string lead = fmt::format(
+      "What the tracer follows, the pen draws {}, {}. The pole <b>{}</b> is fixed to the table at {}, "
+      "<b>{}</b> carries the tracer and <b>{}</b> the pen.{}",
       size_text(design.scale), turn_text(design.rotation), joint_of(linkage, "pole"),
       point_text(linkage.pole()), joint_of(linkage, "tracer"), joint_of(linkage, "pen"),
-      overlap_sentence(design), badges, change_link(extras.studio_page), notice(design.map.coverage.why_not),
+      overlap_sentence(design));
+  return fmt::format(
+      "<header class=\"head\">\n<div>\n{}</div>\n<div class=\"state\">\n<ul "
+      "class=\"badges\">\n{}</ul>\n{}</div>\n{}{}</header>\n",
+      html_heading(design.search ? "Kempe · design" : "Kempe · workspace of a given linkage", title(design),
+                   lead),
+      badges, change_link(extras.studio_page), notice(design.map.coverage.why_not),
       notice(design.verification.failure));
 }
 

@@ -98,79 +98,147 @@ std::string robust_explanation(const Design& design) {
                             objective_value(design.search->objective, without));
 }
 
+/// The rows of the table of quality, in the page's order.
+class QualityRows {
+ public:
+  explicit QualityRows(const Design& design) : design_(design), quality_(design.quality) {}
+
+  Rows all(const std::string& proof_log) {
+    add_size();
+    add_transmission();
+    add_clearance();
+    add_strip();
+    add_copy_errors();
+    add_load();
+    add_mass();
+    add_sag();
+    add_robustness();
+    add_distortion();
+    add_footprint();
+    add_bound(proof_log);
+    return std::move(rows_);
+  }
+
+ private:
+  void add(const char* what, const std::string& value, const Requirement& required, std::string why) {
+    rows_.push_back(
+        {what, required.met ? value : "<b class=\"bad\">" + value + "</b>", required.text, std::move(why)});
+  }
+
+  void add_size() {
+    add("Size", length_text(quality_.size, 3), {},
+        "Sum over the four moving links of half the perimeter round their joints; a bar counts its length. "
+        "Small is stiff, cheap and light.");
+  }
+
+  void add_transmission() {
+    add("Smallest transmission angle",
+        quality_.transmission_min > 0 ? angle_text(quality_.transmission_min, 3) : "not reached",
+        at_least(quality_.transmission_min, design_.limits.transmission,
+                 angle_text(design_.limits.transmission)),
+        std::string("How far the linkage stays from the positions where it jams or folds over, at the worst "
+                    "place of ") +
+            (design_.region.empty() ? "its certified opening" : "the region") +
+            ". 90° is best, 0° cannot be driven.");
+  }
+
+  void add_clearance() {
+    if (!std::isfinite(quality_.clearance_min)) return;
+    add("Smallest clearance", length_text(quality_.clearance_min, 3),
+        at_least(quality_.clearance_min, design_.limits.clearance, length_text(design_.limits.clearance)),
+        clearance_explanation(design_));
+  }
+
+  void add_strip() {
+    if (!design_.limits.longest_strip) return;
+    const double strip = longest_over_ends(design_);
+    add("Longest link over its ends", length_text(strip, 2), at_most(strip, design_.limits.longest_strip),
+        "The strip that it is cut from: its farthest joints and half its width beyond each.");
+  }
+
+  void add_copy_errors() {
+    const auto &worst = quality_.copy_error_worst, &at_corner = quality_.copy_error_at_corner;
+    if (worst)
+      add("Copy error, worst case", length_text(*worst, 4),
+          at_most(at_corner.value_or(*worst), design_.limits.copy_error),
+          "How far the pen can be off if all lengths and pins err in the worst direction together" +
+              (at_corner ? ", to the first order. An instrument within the tolerances has <b>" +
+                               length_text(*at_corner, 4) + "</b>."
+                         : std::string(".")));
+    if (quality_.copy_error_rss)
+      add("Copy error, typical", length_text(*quality_.copy_error_rss, 4), {},
+          "The same with independent errors: root of the sum of squares.");
+  }
+
+  void add_load() {
+    const auto& loads = quality_.loads;
+    if (!loads || !design_.load) return;
+    add("Load error of the links, worst", length_text(loads->error_max, 5),
+        at_most(loads->error_max, design_.limits.load_error),
+        fmt::format("How far the links let the pen give way under {} at the worst place of the region. "
+                    "Pins and layers add to it{}: see the error budget.",
+                    force_text(most_force_at_pen(*design_.load)),
+                    loads->weight_error_max ? ", and so does the links' own weight along the table" : ""));
+    add("Largest force in a pin", force_text(loads->pin_force_max), {},
+        fmt::format("The hand holds {}.", force_text(loads->hand_force_max)));
+  }
+
+  void add_mass() {
+    if (!quality_.mass || !design_.material) return;
+    add("Mass", fmt::format("{:.4g} kg", *quality_.mass), {},
+        "The four links of " + html_escaped(design_.material->name) + ", without pins and tools.");
+  }
+
+  void add_sag() {
+    if (!quality_.sag) return;
+    add("Sag", length_text(*quality_.sag, 3), at_most(*quality_.sag, design_.limits.sag),
+        "How far tracer or pen sinks at most, by weight and by the play of the pins.");
+  }
+
+  void add_robustness() {
+    const auto& robust = quality_.robust;
+    if (!robust) return;
+    add("Robust clearance", std::isfinite(robust->clearance) ? length_text(robust->clearance, 3) : "none",
+        {"≥ " + length_text(design_.limits.clearance), robust->holds}, robust_explanation(design_));
+  }
+
+  void add_distortion() {
+    if (!quality_.distortion_worst) return;
+    add("Distortion, worst case", length_text(*quality_.distortion_worst, 4), {},
+        "What remains of the error when a slightly different scale, rotation and origin are allowed: the "
+        "part that is seen.");
+  }
+
+  void add_footprint() {
+    if (design_.region.empty()) return;
+    add("Footprint",
+        std::isfinite(quality_.footprint) ? area_text(quality_.footprint) : "not measured: stopped early", {},
+        design_.bodies.empty()
+            ? "Area that all links sweep while the tracer covers the region: keep it clear."
+            : "Area that all links sweep while the tracer covers the region: keep it "
+              "clear. Bodies sweep more.");
+  }
+
+  void add_bound(const std::string& proof_log) {
+    if (!quality_.proven_bound) return;
+    add("Best possible",
+        design_.search ? objective_value(design_.search->objective, *quality_.proven_bound)
+                       : figure_text(*quality_.proven_bound, 4),
+        {}, bound_explanation(design_, proof_log));
+  }
+
+  const Design& design_;
+  const Quality& quality_;
+  Rows rows_;
+};
+
 }  // namespace
 
 std::string quality(const Design& design, const ReportExtras& extras) {
-  const Quality& q = design.quality;
-  Rows rows;
-  const auto add = [&](const char* what, const std::string& value, const Requirement& required,
-                       std::string why) {
-    rows.push_back(
-        {what, required.met ? value : "<b class=\"bad\">" + value + "</b>", required.text, std::move(why)});
-  };
-  add("Size", length_text(q.size, 3), {},
-      "Sum over the four moving links of half the perimeter round their joints; a bar counts its length. "
-      "Small is stiff, cheap and light.");
-  add("Smallest transmission angle",
-      q.transmission_min > 0 ? angle_text(q.transmission_min, 3) : "not reached",
-      at_least(q.transmission_min, design.limits.transmission, angle_text(design.limits.transmission)),
-      std::string("How far the linkage stays from the positions where it jams or folds over, at the worst "
-                  "place of ") +
-          (design.region.empty() ? "its certified opening" : "the region") +
-          ". 90° is best, 0° cannot be driven.");
-  if (std::isfinite(q.clearance_min))
-    add("Smallest clearance", length_text(q.clearance_min, 3),
-        at_least(q.clearance_min, design.limits.clearance, length_text(design.limits.clearance)),
-        clearance_explanation(design));
-  if (const double strip = longest_over_ends(design); design.limits.longest_strip)
-    add("Longest link over its ends", length_text(strip, 2), at_most(strip, design.limits.longest_strip),
-        "The strip that it is cut from: its farthest joints and half its width beyond each.");
-  if (q.copy_error_worst)
-    add("Copy error, worst case", length_text(*q.copy_error_worst, 4),
-        at_most(q.copy_error_at_corner.value_or(*q.copy_error_worst), design.limits.copy_error),
-        "How far the pen can be off if all lengths and pins err in the worst direction together" +
-            (q.copy_error_at_corner ? ", to the first order. An instrument within the tolerances has <b>" +
-                                          length_text(*q.copy_error_at_corner, 4) + "</b>."
-                                    : std::string(".")));
-  if (q.copy_error_rss)
-    add("Copy error, typical", length_text(*q.copy_error_rss, 4), {},
-        "The same with independent errors: root of the sum of squares.");
-  if (q.loads && design.load) {
-    add("Load error of the links, worst", length_text(q.loads->error_max, 5),
-        at_most(q.loads->error_max, design.limits.load_error),
-        fmt::format("How far the links let the pen give way under {} at the worst place of the region. "
-                    "Pins and layers add to it{}: see the error budget.",
-                    force_text(most_force_at_pen(*design.load)),
-                    q.loads->weight_error_max ? ", and so does the links' own weight along the table" : ""));
-    add("Largest force in a pin", force_text(q.loads->pin_force_max), {},
-        fmt::format("The hand holds {}.", force_text(q.loads->hand_force_max)));
-  }
-  if (q.mass && design.material)
-    add("Mass", fmt::format("{:.4g} kg", *q.mass), {},
-        "The four links of " + html_escaped(design.material->name) + ", without pins and tools.");
-  if (q.sag)
-    add("Sag", length_text(*q.sag, 3), at_most(*q.sag, design.limits.sag),
-        "How far tracer or pen sinks at most, by weight and by the play of the pins.");
-  if (q.robust)
-    add("Robust clearance", std::isfinite(q.robust->clearance) ? length_text(q.robust->clearance, 3) : "none",
-        {"≥ " + length_text(design.limits.clearance), q.robust->holds}, robust_explanation(design));
-  if (q.distortion_worst)
-    add("Distortion, worst case", length_text(*q.distortion_worst, 4), {},
-        "What remains of the error when a slightly different scale, rotation and origin are allowed: the "
-        "part that is seen.");
-  if (!design.region.empty())
-    add("Footprint", std::isfinite(q.footprint) ? area_text(q.footprint) : "not measured: stopped early", {},
-        design.bodies.empty() ? "Area that all links sweep while the tracer covers the region: keep it clear."
-                              : "Area that all links sweep while the tracer covers the region: keep it "
-                                "clear. Bodies sweep more.");
-  if (q.proven_bound)
-    add("Best possible",
-        design.search ? objective_value(design.search->objective, *q.proven_bound)
-                      : figure_text(*q.proven_bound, 4),
-        {}, bound_explanation(design, extras.proof_log));
   return html_section(
       "quality", "Quality",
-      html_table("explained", {{"Figure"}, {"Value", true}, {"Required", true}, {"What it says"}}, rows));
+      html_table("explained", {{"Figure"}, {"Value", true}, {"Required", true}, {"What it says"}},
+                 QualityRows(design).all(extras.proof_log)));
 }
 
 /// "the obstacles", "obstacles, bodies and the table's edge".

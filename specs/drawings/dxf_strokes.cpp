@@ -15,6 +15,8 @@ using Eigen::Affine2d;
 
 constexpr int deepest_block = 32;
 constexpr int most_copies = 100'000;
+/// rad: an ellipse whose ends are nearer goes all the way round: from 0 to 2 pi is written with rounded digits.
+constexpr double one_end = 1e-9;
 
 /// The polar form of a B-spline: its value for `degree` parameters, in homogeneous coordinates. With knots u
 /// (left) and v of a span, the values for i times v and the rest u are the Bezier points of that span.
@@ -149,7 +151,7 @@ class DxfStrokes {
       return Point(ellipse.centre + ellipse.major * std::cos(t) + minor * std::sin(t));
     };
     double sweep = std::remainder(ellipse.to - ellipse.from, 2 * pi);
-    const bool full = std::abs(sweep) < 1e-9;
+    const bool full = std::abs(sweep) < one_end;
     if (full || sweep < 0) sweep = full ? 2 * pi : sweep + 2 * pi;
     curves.move_to(at(ellipse.from));
     curves.elliptic_to(ellipse.centre, ellipse.major, minor, ellipse.from, sweep,

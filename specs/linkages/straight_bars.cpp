@@ -11,6 +11,9 @@
 namespace kempe {
 namespace {
 
+/// Share of the longer one: lengths that differ by no more are one, so that rounded sums of bars still make a row.
+constexpr double same_row_length = 1e-9;
+
 using Row = std::map<std::string, double>;  ///< a point's place along the row, mm
 
 class StraightRows {
@@ -36,7 +39,7 @@ class StraightRows {
   }
 
   static bool same(double a, double b) {
-    return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
+    return std::abs(a - b) <= same_row_length * std::max(std::abs(a), std::abs(b));
   }
 
  private:

@@ -37,7 +37,7 @@ Range allowed(const Spec& spec, double shortest, const std::array<Factor, 4>& fa
 }  // namespace
 
 Branch make_branch(const Spec& spec, Grounding grounding, const AssemblyMode& assembly_mode,
-                   std::vector<LayerChoice> layers, std::optional<double> least_distance) {
+                   std::vector<LayerCandidate> layers, std::optional<double> least_distance) {
   const double shortest = least_distance.value_or(least_joint_distance(spec));
   Branch branch;
   branch.layers = std::move(layers);

@@ -14,7 +14,7 @@ namespace kempe::bounding {
 struct Branch {
   ModeFacts mode;
   double middle = 0, middle_psi = 0;  // the interval's middle: opening and |psi|, rad
-  std::vector<LayerChoice> layers;
+  std::vector<LayerCandidate> layers;
 
   double psi_of(double opening) const { return middle_psi + mode.bend * (opening - middle); }
   double opening_of(double psi) const { return middle + mode.bend * (psi - middle_psi); }
@@ -23,7 +23,7 @@ struct Branch {
 /// From the spec: the limits of lengths with locks, the openings that the copy error leaves, the layer
 /// assignments worth a look. `least_distance` of two joints of a link, mm; absent: the spec's.
 Branch make_branch(const Spec& spec, Grounding grounding, const AssemblyMode& assembly_mode,
-                   std::vector<LayerChoice> layers, std::optional<double> least_distance = std::nullopt);
+                   std::vector<LayerCandidate> layers, std::optional<double> least_distance = std::nullopt);
 
 /// The linkage of the branch with a = VA and b = VB/|s|, mm; the error where there is none.
 tl::expected<CopyingLinkage, LinkageFault> linkage_of(const Spec& spec, const Branch& branch, double a,

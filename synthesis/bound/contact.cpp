@@ -117,12 +117,12 @@ MaterialPoint material_point(Joint joint, Complex s) {
 
 PairKey key_of(const ContactPair& pair) { return std::minmax(part_key(pair.first), part_key(pair.second)); }
 
-std::vector<LayerChoice> layer_choices(Complex k, Grounding grounding, int layers,
-                                       const std::vector<Obstacle>& obstacles,
-                                       const std::vector<Body>& bodies,
-                                       std::optional<SagCounts> as_searched) {
+std::vector<LayerCandidate> layer_candidates(Complex k, Grounding grounding, int layers,
+                                             const std::vector<Obstacle>& obstacles,
+                                             const std::vector<Body>& bodies,
+                                             std::optional<SagCounts> as_searched) {
   const auto any = CopyingLinkage::make(k, grounding, 100, 100, 0);
-  std::vector<LayerChoice> choices;
+  std::vector<LayerCandidate> choices;
   if (!any) return choices;
   for (const LayerAssignment& each :
        as_searched ? assignments_worth_trying(*any, layers, obstacles, bodies, *as_searched)
@@ -130,7 +130,7 @@ std::vector<LayerChoice> layer_choices(Complex k, Grounding grounding, int layer
     auto parts = contact_pairs(*any, each);
     choices.push_back({each, keys_of(parts)});
     choices.back().parts = std::move(parts);
-    const auto like = std::find_if(choices.begin(), choices.end(), [&](const LayerChoice& other) {
+    const auto like = std::find_if(choices.begin(), choices.end(), [&](const LayerCandidate& other) {
       return other.pairs == choices.back().pairs;
     });
     choices.back().like = static_cast<std::size_t>(like - choices.begin());

@@ -20,7 +20,7 @@ using PairKey = std::pair<PartKey, PartKey>;
 PairKey key_of(const ContactPair& pair);
 
 /// A layer assignment with the pairs of parts that must keep their clearance in it, sorted.
-struct LayerChoice {
+struct LayerCandidate {
   LayerAssignment layers;
   std::vector<PairKey> pairs;
   std::size_t like = 0;              ///< the place of the first assignment with the same pairs
@@ -31,10 +31,10 @@ struct LayerChoice {
 /// The least demanding layer assignments of a grounding (layer_demands.hpp): if no design keeps its clearance in one of
 /// these, none does in any. With obstacles or bodies more contact among the links may be worth it. `as_searched`: those that a search
 /// in which the sag counts, or not, looks at.
-std::vector<LayerChoice> layer_choices(Complex k, Grounding grounding, int layers,
-                                       const std::vector<Obstacle>& obstacles,
-                                       const std::vector<Body>& bodies,
-                                       std::optional<SagCounts> as_searched = {});
+std::vector<LayerCandidate> layer_candidates(Complex k, Grounding grounding, int layers,
+                                             const std::vector<Obstacle>& obstacles,
+                                             const std::vector<Body>& bodies,
+                                             std::optional<SagCounts> as_searched = {});
 
 /// A joint as a material point, for plates of shape s.
 MaterialPoint material_point(Joint joint, Complex s);

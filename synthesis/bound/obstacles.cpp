@@ -235,8 +235,9 @@ struct ObstacleTest::Look {
   double nearest = infinity;  ///< mm, of a gap with what the joints move added
   std::optional<Hit> hit{};
   double moved = 0;  ///< mm, the most that joints were found to move; infinite where that could not be said
-  PlacesWithTerms seen{};      ///< what was looked at
-  std::vector<double> gaps{};  ///< mm beyond the clearance, of each term that was; where there is more, a lower bound
+  PlacesWithTerms seen{};  ///< what was looked at
+  std::vector<double>
+      gaps{};  ///< mm beyond the clearance, of each term that was; where there is more, a lower bound
 
   Look(const ObstacleTest& of, const DesignBox& all, LayerSet& left) : test(of), box(all), alive(left) {
     middle = test.middle_of(box);
@@ -250,8 +251,7 @@ struct ObstacleTest::Look {
   std::optional<JointMoves> moved_at(std::size_t place, const PlacedJoints& joints,
                                      std::optional<Joint> seen_from) {
     const auto moves = test.moving_.at_most(box, test.places_[place].at, joints.all(), seen_from);
-    moved = moves ? std::max(moved, *std::max_element(moves->begin(), moves->end()))
-                  : infinity;
+    moved = moves ? std::max(moved, *std::max_element(moves->begin(), moves->end())) : infinity;
     return moves;
   }
 

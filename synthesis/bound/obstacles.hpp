@@ -140,7 +140,7 @@ class ObstacleTest {
       0;  ///< of the places: where a design was not clear, so that the next may well not be
   std::vector<Term> terms_;
   std::vector<std::uint32_t> all_terms_;  ///< their numbers
-  LayerSet hit_by_the_copy_{};    ///< in which something is hit whatever the lengths are
+  LayerSet hit_by_the_copy_{};            ///< in which something is hit whatever the lengths are
   std::size_t convex_pairs_ = 0;  ///< what the terms cost: those with a shape of few parts one, others two
   StopFlag stop_;
 };

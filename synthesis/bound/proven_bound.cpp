@@ -1,6 +1,6 @@
 // The tree: the most promising box of designs is looked at first, split across its widest coordinate, and
 // each half is shrunk by reach and length limits, bounded, and dropped if the gap between original and copy
-// (pole_places.hpp), contact (contact_cuts.hpp, obstacles.hpp) or, where asked for, the limit on the load
+// (pole_places.hpp), contact (met_contacts.hpp, obstacles.hpp) or, where asked for, the limit on the load
 // error (load_floor.hpp, load_trade.hpp) rules it out. Designs met on the way (relaxed_designs.hpp) say how good a box must
 // be.
 
@@ -13,9 +13,9 @@
 #include <set>
 
 #include "kinematics/parallel.hpp"
-#include "synthesis/bound/contact_cuts.hpp"
 #include "synthesis/bound/load_floor.hpp"
 #include "synthesis/bound/load_trade.hpp"
+#include "synthesis/bound/met_contacts.hpp"
 #include "synthesis/bound/relaxed_designs.hpp"
 #include "synthesis/problem/local_frame.hpp"
 #include "workspace/obstructions.hpp"
@@ -34,7 +34,7 @@ struct Ground {
       : poles(spec, options.self_contact), cuts(spec, options.stop) {}
 
   bounding::PolePlaces poles;
-  bounding::ContactCuts cuts;
+  bounding::MetContacts cuts;
   std::vector<Branch> branches{};
   std::vector<std::unique_ptr<bounding::ObstacleTest>>
       obstacle_tests{};  ///< one a branch, if there are obstacles
@@ -154,7 +154,7 @@ class Tree {
       if (std::find(permitted.begin(), permitted.end(), grounding) == permitted.end()) continue;
       // A bound leaves turning bodies out; designs that are tried keep clear of them, in layers that know them.
       const auto bodies = trials_ != nullptr ? spec_.bodies : that_keep_direction(spec_.bodies);
-      const auto layers = bounding::layer_choices(
+      const auto layers = bounding::layer_candidates(
           spec_.copy.k(), grounding, spec_.links.layers,
           sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{},
           sees_obstacles() ? bodies : std::vector<Body>{},
@@ -206,7 +206,8 @@ class Tree {
       return;
     }
     if (sees_loads()) raise_by_loads(node);
-    if (!ground_->cuts.repeat(node, branch_of(node)) || (node.sight.hit && !rule_out_by_obstacles(node, true)))
+    if (!ground_->cuts.repeat(node, branch_of(node)) ||
+        (node.sight.hit && !rule_out_by_obstacles(node, true)))
       return;
     open_.push(std::move(node));
   }
@@ -236,9 +237,10 @@ class Tree {
     ground_->obstacle_tests.resize(ground_->branches.size());
     run_parallel(ground_->branches.size(), options_.threads, [&](std::size_t branch) {
       std::vector<LayerAssignment> layers;
-      for (const bounding::LayerChoice& choice : ground_->branches[branch].layers) layers.push_back(choice.layers);
-      ground_->obstacle_tests[branch] = std::make_unique<bounding::ObstacleTest>(spec_, ground_->branches[branch].mode,
-                                                                         layers, scene, options_.stop);
+      for (const bounding::LayerCandidate& choice : ground_->branches[branch].layers)
+        layers.push_back(choice.layers);
+      ground_->obstacle_tests[branch] = std::make_unique<bounding::ObstacleTest>(
+          spec_, ground_->branches[branch].mode, layers, scene, options_.stop);
     });
   }
 
@@ -246,8 +248,8 @@ class Tree {
   bool rule_out_by_obstacles(TreeNode& node, bool only_where_last) {
     if (!sees_obstacles()) return true;
     if (!only_where_last) boxes_ += ground_->obstacle_tests[node.branch]->cost(node.sight);
-    node.alive =
-        ground_->obstacle_tests[node.branch]->not_hit(design_box(node), node.alive, node.sight, only_where_last);
+    node.alive = ground_->obstacle_tests[node.branch]->not_hit(design_box(node), node.alive, node.sight,
+                                                               only_where_last);
     return !node.alive.empty();
   }
 

@@ -102,14 +102,14 @@ void RelaxedDesigns::look_at(const Box& box, const Candidate& candidate) {
   if (is_soft && !may_be_soft) return;
   if (was_in_vain(node.branch, linkage)) return;
   std::vector<std::optional<bool>> keep(branch.layers.size());  // where known; of those alike the first's
-  const auto keeps_clearance = [&](const LayerChoice& choice) {
+  const auto keeps_clearance = [&](const LayerCandidate& choice) {
     auto& known = keep[choice.like];
     if (!known)
       known = keeps_gap_over(linkage, spec_.links.style, choice.parts, openings, spec_.limits.clearance);
     return *known;
   };
   LayerSet left = node.alive;  // of which none is known not to be clear
-  const auto free = [&](const LayerChoice& choice) {
+  const auto free = [&](const LayerCandidate& choice) {
     if (!options_.self_contact) return true;
     const auto index = static_cast<std::size_t>(&choice - branch.layers.data());
     return left.has(index) && keeps_clearance(choice) &&

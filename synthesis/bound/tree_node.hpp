@@ -24,7 +24,7 @@ struct TreeNode {
   LengthBox lengths;
   LayerSet alive{};  ///< layer assignments not yet ruled out, by their place in the branch
   Sight sight;       ///< of the obstacles
-  /// Of the first layer assignments: number in ContactCuts, 0 for none.
+  /// Of the first layer assignments: number in MetContacts, 0 for none.
   std::array<std::uint32_t, kept_cuts> cut{};
 
   Point pole() const { return {0.5 * (x.lower + x.upper), 0.5 * (y.lower + y.upper)}; }

@@ -31,7 +31,7 @@ struct InversorTask {
   double focal_length = 0;                                  ///< > 0
   double magnification_lower = 0, magnification_upper = 0;  ///< 0 < lower < upper
   double transmission = 0;                                  ///< limit over the range
-  double shortest = 0, longest = 1e300;                     ///< of every link
+  double shortest = 0, longest = infinity;                  ///< of every link
 };
 
 /// A length of the inversor and what an error in it does.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/point.hpp"
 #include "synthesis/functions/error.hpp"
 #include "synthesis/functions/slack.hpp"
 #include "synthesis/solvers/van_der_corput.hpp"
@@ -45,13 +46,12 @@ class CoarseLook {
   /// Puts the output's start in the middle of the errors where it is free; infinite where the loop comes
   /// apart.
   double score(FunctionDesign& design) const {
-    constexpr double never = 1e300;
     double lower = 0, upper = 0, before = 0, cosine = 0;
     const FourBar& bar = design.linkage;
     for (std::size_t i = 0; i < input_turns_.size(); ++i) {
       const double phi = design.input_start + input_turns_[i];
       const auto psi = bar.output_angle(phi);
-      if (!psi) return never;
+      if (!psi) return infinity;
       const double e_squared = std::norm(std::polar(bar.input, phi) - bar.ground);
       cosine = std::max(cosine, std::abs(bar.coupler * bar.coupler + bar.output * bar.output - e_squared) /
                                     (2 * bar.coupler * bar.output));
@@ -132,7 +132,7 @@ void add_precise(const FunctionTask& task, const WantedAngles& wanted, const Coa
 
 /// How unlike two linkages are: the largest of their logarithms' and starts' differences.
 double distance(const FunctionDesign& a, const FunctionDesign& b) {
-  if (a.linkage.branch != b.linkage.branch) return 1e300;
+  if (a.linkage.branch != b.linkage.branch) return infinity;
   return std::max({std::abs(std::log(a.linkage.input / b.linkage.input)),
                    std::abs(std::log(a.linkage.coupler / b.linkage.coupler)),
                    std::abs(std::log(a.linkage.output / b.linkage.output)),

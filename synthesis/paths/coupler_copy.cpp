@@ -63,18 +63,28 @@ Carrier carrier_of(const PathAnswer& answer, std::optional<std::size_t> cognate)
   return carrier;
 }
 
-tl::expected<CouplerCopy, std::string> copy_about(const Carrier& carrier, const PathAnswer& answer, Complex s,
-                                                  CopyPole pole) {
+/// A six-bar at its start: the four-bar with the parallelogram that copies, arm and copier.
+struct SixBar {
+  DrivenFourBar driven;
+  int arm, copier;  ///< bodies
+};
+
+bool is_by_crank(CopyPole pole) { return pole == CopyPole::crank_pivot; }
+
+/// Where the copier's bars turn about the ground.
+Complex pole_place(const CouplerFourBar& bar, CopyPole pole) {
+  return as_complex(is_by_crank(pole) ? bar.crank_pivot : bar.rocker_pivot);
+}
+
+/// The pole's joint on the coupler, in the coupler's frame.
+Complex pole_joint(const CouplerFourBar& bar, CopyPole pole) {
+  return is_by_crank(pole) ? Complex(0) : Complex(bar.coupler);
+}
+
+/// The copy's links by their lengths; nothing of how they stand.
+CouplerCopy copy_links(const Carrier& carrier, Complex s, CopyPole pole) {
   const CouplerFourBar& bar = carrier.bar;
-  const bool by_crank = pole == CopyPole::crank_pivot;
-  const Complex joint = by_crank ? Complex(0) : Complex(bar.coupler),
-                to_point = as_complex(bar.coupler_point) - joint;
-  const Complex O = as_complex(by_crank ? bar.crank_pivot : bar.rocker_pivot);
-  const auto why_not = [&](std::string_view words_of_it) {
-    return tl::unexpected(fmt::format("about the {}: {}", words(pole), words_of_it));
-  };
-  if (std::abs(to_point) < slack::on_a_joint * bar.coupler)
-    return why_not("the coupler point lies on the joint of that crank, and draws a circle");
+  const Complex joint = pole_joint(bar, pole), to_point = as_complex(bar.coupler_point) - joint;
   CouplerCopy copy;
   copy.pole = pole;
   copy.linkage = bar;
@@ -82,48 +92,75 @@ tl::expected<CouplerCopy, std::string> copy_about(const Carrier& carrier, const 
   copy.offset = carrier.offset;
   copy.coupler_joint = as_point(joint + s * to_point);
   copy.arm = std::abs(s * to_point);
-  copy.link = by_crank ? bar.crank : bar.rocker;
+  copy.link = is_by_crank(pole) ? bar.crank : bar.rocker;
   copy.copy_point = as_point(copy.link * s);
+  return copy;
+}
 
-  const CopyAngles angles = copy_angles(answer.crank_angles, carrier.offset);
-  auto driven = driven_four_bar(bar, carrier.driver, angles.all.front(), carrier.start);
-  if (!driven) return why_not("the four-bar does not close");
-  const Complex J = as_complex(by_crank ? driven->place.A : driven->place.B), P = as_complex(driven->place.P);
+/// Adds the parallelogram where the four-bar stands, and to the copy the places of its joints.
+SixBar with_parallelogram(DrivenFourBar driven, Complex s, CouplerCopy& copy) {
+  const Complex O = pole_place(copy.linkage, copy.pole), P = as_complex(driven.place.P),
+                J = as_complex(is_by_crank(copy.pole) ? driven.place.A : driven.place.B);
   const Complex Q = O + s * (P - J), C = J + s * (P - J);
   copy.Q = as_point(Q);
   copy.C = as_point(C);
-  PlanarLinkage& linkage = driven->linkage;
-  const int arm = linkage.add_body("arm"), link = linkage.add_body("copier");
+  PlanarLinkage& linkage = driven.linkage;
+  const int arm = linkage.add_body("arm"), copier = linkage.add_body("copier");
   linkage.add(Revolute{{0, as_point(O)}, {arm, {0, 0}}}, "O");
-  linkage.add(Revolute{{arm, {copy.arm, 0}}, {link, {0, 0}}}, "Q");
-  linkage.add(Revolute{{link, {copy.link, 0}}, {driven->coupler, copy.coupler_joint}}, "C");
-  driven->guess.push_back({as_point(O), std::arg(Q - O)});
-  driven->guess.push_back({copy.Q, std::arg(C - Q)});
+  linkage.add(Revolute{{arm, {copy.arm, 0}}, {copier, {0, 0}}}, "Q");
+  linkage.add(Revolute{{copier, {copy.link, 0}}, {driven.coupler, copy.coupler_joint}}, "C");
+  driven.guess.push_back({as_point(O), std::arg(Q - O)});
+  driven.guess.push_back({copy.Q, std::arg(C - Q)});
+  return {std::move(driven), arm, copier};
+}
 
-  auto path = PlanarPath::from(linkage, driven->guess, {angles.all.front()});
-  if (!path) return why_not("the six-bar does not close");
+/// Drives the six-bar over the angles: the copy's places, its error and the parallelogram's least angle go to the copy; or the sentence
+/// why not.
+std::optional<std::string> drive_over(const SixBar& six_bar, const CopyAngles& angles, Complex s,
+                                      CouplerCopy& copy) {
+  auto path = PlanarPath::from(six_bar.driven.linkage, six_bar.driven.guess, {angles.all.front()});
+  if (!path) return "the six-bar does not close";
+  const Complex O = pole_place(copy.linkage, copy.pole);
+  const BodyPoint at_P{six_bar.driven.coupler, copy.linkage.coupler_point},
+      at_Y{six_bar.copier, copy.copy_point};
   copy.parallelogram_min = pi / 2;
   double side = 0, size = 0;
-  const BodyPoint at_P{driven->coupler, bar.coupler_point}, at_Y{link, copy.copy_point};
   for (std::size_t k = 0; k < angles.all.size(); ++k) {
     const auto flat = [&] {
-      return why_not(
-          fmt::format("its parallelogram lies flat near {:.3f} degrees of the driver: a change point, "
-                      "where the copy may be lost",
-                      degrees(angles.all[k])));
+      return fmt::format(
+          "its parallelogram lies flat near {:.3f} degrees of the driver: a change point, "
+          "where the copy may be lost",
+          degrees(angles.all[k]));
     };
     if (!path->advance({angles.all[k]})) return flat();
     const Point Y = path->at(at_Y), wanted = as_point(O + s * (as_complex(path->at(at_P)) - O));
     copy.error_max = std::max(copy.error_max, (Y - wanted).norm());
     size = std::max(size, (wanted - as_point(O)).norm());
-    const double opening = std::sin(path->angle(arm) - path->angle(link));
+    const double opening = std::sin(path->angle(six_bar.arm) - path->angle(six_bar.copier));
     if (k == 0) side = opening;
     copy.parallelogram_min = std::min(copy.parallelogram_min, std::asin(std::min(1.0, std::abs(opening))));
     if (opening * side <= 0 || copy.parallelogram_min < slack::path_from_dead_points) return flat();
     if (std::find(angles.own.begin(), angles.own.end(), k) != angles.own.end()) copy.copied.push_back(Y);
   }
-  if (!(copy.error_max <= slack::copied * std::max(size, bar.longest())))
-    return why_not(fmt::format("the general solver finds the copy off by {:.3g} mm", copy.error_max));
+  if (!(copy.error_max <= slack::copied * std::max(size, copy.linkage.longest())))
+    return fmt::format("the general solver finds the copy off by {:.3g} mm", copy.error_max);
+  return std::nullopt;
+}
+
+tl::expected<CouplerCopy, std::string> copy_about(const Carrier& carrier, const PathAnswer& answer, Complex s,
+                                                  CopyPole pole) {
+  const CouplerFourBar& bar = carrier.bar;
+  const auto why_not = [&](std::string_view words_of_it) {
+    return tl::unexpected(fmt::format("about the {}: {}", words(pole), words_of_it));
+  };
+  if (std::abs(as_complex(bar.coupler_point) - pole_joint(bar, pole)) < slack::on_a_joint * bar.coupler)
+    return why_not("the coupler point lies on the joint of that crank, and draws a circle");
+  CouplerCopy copy = copy_links(carrier, s, pole);
+  const CopyAngles angles = copy_angles(answer.crank_angles, carrier.offset);
+  auto driven = driven_four_bar(bar, carrier.driver, angles.all.front(), carrier.start);
+  if (!driven) return why_not("the four-bar does not close");
+  const SixBar six_bar = with_parallelogram(std::move(*driven), s, copy);
+  if (const auto fault = drive_over(six_bar, angles, s, copy)) return why_not(*fault);
   return copy;
 }
 

@@ -119,7 +119,7 @@ bool PathProgram::project(Eigen::VectorXd& x) const {
     x[2 * k] = z[k].real();
     x[2 * k + 1] = z[k].imag();
   }
-  return z.allFinite() && std::abs(z[1]) > 1e-6;
+  return z.allFinite() && std::abs(z[1]) > slack::path_least_crank;
 }
 
 bool PathProgram::project_the_rest(const Eigen::Matrix3cd& normal, const Eigen::Vector3cd& right,
@@ -146,7 +146,7 @@ bool PathProgram::project_the_rest(const Eigen::Matrix3cd& normal, const Eigen::
   const Eigen::Matrix<double, 6, 1> z = factors.solve(wanted);
   for (int i = 0; i < 6; ++i)
     if (!is_given(i)) x[i] = z[i];
-  return z.allFinite() && (is_given(3) ? x[2] : std::hypot(x[2], x[3])) > 1e-6;
+  return z.allFinite() && (is_given(3) ? x[2] : std::hypot(x[2], x[3])) > slack::path_least_crank;
 }
 
 bool PathProgram::errors(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen::MatrixXd* slope) const {
@@ -158,7 +158,7 @@ bool PathProgram::errors(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen
   for (int i = 0; i < count(); ++i) {
     const Coupler at = coupler(x, angle(x, i));
     if (!at.closes) {
-      value[2 * i] = value[2 * i + 1] = 1e3;
+      value[2 * i] = value[2 * i + 1] = slack::path_not_closed;
       closes = false;
       continue;
     }
@@ -210,106 +210,136 @@ void PathProgram::watch_extremes(const Eigen::VectorXd& x) {
   }
 }
 
+/// The limits' rows, filled from the first on.
+struct PathProgram::LimitRows {
+  const Eigen::VectorXd& x;
+  Eigen::VectorXd& value;
+  Eigen::MatrixXd* slope;  ///< or null
+  double alpha = std::exp(x[6]), beta = std::exp(x[7]), gamma = std::exp(x[8]);
+  Complex z0{x[0], x[1]}, z1{x[2], x[3]}, z2{x[4], x[5]};
+  int row = 0;
+};
+
 void PathProgram::limits(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen::MatrixXd* slope) const {
-  const double alpha = std::exp(x[6]), beta = std::exp(x[7]), gamma = std::exp(x[8]);
   value.resize(limit_count());
   if (slope) slope->setZero(limit_count(), size());
-  int row = 0;
-  const auto transmission = [&](double psi, int column) {
-    const double e2 = 1 + alpha * alpha - 2 * alpha * std::cos(psi);
-    const double cosine = (beta * beta + gamma * gamma - e2) / (2 * beta * gamma);
-    for (const double sign : {1.0, -1.0}) {
-      value[row] = sign * cosine - cos_limit_;
-      if (slope) {
-        (*slope)(row, 6) = sign * -(2 * alpha * alpha - 2 * alpha * std::cos(psi)) / (2 * beta * gamma);
-        (*slope)(row, 7) = sign * (beta / gamma - cosine);
-        (*slope)(row, 8) = sign * (gamma / beta - cosine);
-        if (column >= 0) (*slope)(row, column) = sign * -(2 * alpha * std::sin(psi)) / (2 * beta * gamma);
-      }
-      ++row;
-    }
-  };
-  for (int i = 0; i < count(); ++i) transmission(angle(x, i), timed_ ? angles_at : angles_at + i);
-  for (const double psi : in_line_) transmission(psi, -1);
+  LimitRows rows{.x = x, .value = value, .slope = slope};
+  for (int i = 0; i < count(); ++i) add_transmission(angle(x, i), timed_ ? angles_at : angles_at + i, rows);
+  for (const double psi : in_line_) add_transmission(psi, std::nullopt, rows);
+  add_lengths(rows);
+  add_pivots(rows);
+  if (!timed_) add_order(rows);
+  if (motion_) add_motion(rows);
+}
 
-  // Squares of lengths over that of the longest allowed.
-  const Complex z0(x[0], x[1]), z1(x[2], x[3]), z2(x[4], x[5]);
+void PathProgram::add_transmission(double psi, std::optional<int> column, LimitRows& rows) const {
+  auto& [x, value, slope, alpha, beta, gamma, z0, z1, z2, row] = rows;
+  const double e2 = 1 + alpha * alpha - 2 * alpha * std::cos(psi);
+  const double cosine = (beta * beta + gamma * gamma - e2) / (2 * beta * gamma);
+  for (const double sign : {1.0, -1.0}) {
+    value[row] = sign * cosine - cos_limit_;
+    if (slope) {
+      (*slope)(row, 6) = sign * -(2 * alpha * alpha - 2 * alpha * std::cos(psi)) / (2 * beta * gamma);
+      (*slope)(row, 7) = sign * (beta / gamma - cosine);
+      (*slope)(row, 8) = sign * (gamma / beta - cosine);
+      if (column) (*slope)(row, *column) = sign * -(2 * alpha * std::sin(psi)) / (2 * beta * gamma);
+    }
+    ++row;
+  }
+}
+
+/// Squares of lengths over that of the longest allowed.
+void PathProgram::add_lengths(LimitRows& rows) const {
+  add_link(1, std::nullopt, rows);
+  add_link(rows.alpha, 6, rows);
+  add_link(rows.beta, 7, rows);
+  add_link(rows.gamma, 8, rows);
+  add_arm(0, rows);
+  add_arm(rows.beta / rows.alpha, rows);
+}
+
+/// Of |z1| ratio / alpha.
+void PathProgram::add_link(double ratio, std::optional<int> column, LimitRows& rows) const {
+  auto& [x, value, slope, alpha, beta, gamma, z0, z1, z2, row] = rows;
   const double share = 1 / (longest_ * longest_);
-  const auto link = [&](double ratio, int column) {  // |z1| ratio / alpha
-    const double square = std::norm(z1) * ratio * ratio / (alpha * alpha) * share;
-    value[row] = square - 1;
-    if (slope) {
-      (*slope)(row, 2) = 2 * square * x[2] / std::norm(z1);
-      (*slope)(row, 3) = 2 * square * x[3] / std::norm(z1);
-      (*slope)(row, 6) -= 2 * square;
-      if (column >= 0) (*slope)(row, column) += 2 * square;
-    }
-    ++row;
-  };
-  link(1, -1);
-  link(alpha, 6);
-  link(beta, 7);
-  link(gamma, 8);
-  const auto arm = [&](double ratio) {  // |z2 - ratio z1|, ratio 0 or beta / alpha
-    const Complex d = z2 - ratio * z1;
-    value[row] = std::norm(d) * share - 1;
-    if (slope) {
-      (*slope)(row, 4) = 2 * share * d.real();
-      (*slope)(row, 5) = 2 * share * d.imag();
-      (*slope)(row, 2) = -2 * share * ratio * d.real();
-      (*slope)(row, 3) = -2 * share * ratio * d.imag();
-      const double by_ratio = -2 * share * ratio * (d.real() * z1.real() + d.imag() * z1.imag());
-      (*slope)(row, 6) = -by_ratio;
-      (*slope)(row, 7) = by_ratio;
-    }
-    ++row;
-  };
-  arm(0);
-  arm(beta / alpha);
+  const double square = std::norm(z1) * ratio * ratio / (alpha * alpha) * share;
+  value[row] = square - 1;
+  if (slope) {
+    (*slope)(row, 2) = 2 * square * x[2] / std::norm(z1);
+    (*slope)(row, 3) = 2 * square * x[3] / std::norm(z1);
+    (*slope)(row, 6) -= 2 * square;
+    if (column) (*slope)(row, *column) += 2 * square;
+  }
+  ++row;
+}
 
+/// Of |z2 - ratio z1|: ratio 0 from the crank's joint, beta / alpha from the rocker's.
+void PathProgram::add_arm(double ratio, LimitRows& rows) const {
+  auto& [x, value, slope, alpha, beta, gamma, z0, z1, z2, row] = rows;
+  const double share = 1 / (longest_ * longest_);
+  const Complex d = z2 - ratio * z1;
+  value[row] = std::norm(d) * share - 1;
+  if (slope) {
+    (*slope)(row, 4) = 2 * share * d.real();
+    (*slope)(row, 5) = 2 * share * d.imag();
+    (*slope)(row, 2) = -2 * share * ratio * d.real();
+    (*slope)(row, 3) = -2 * share * ratio * d.imag();
+    const double by_ratio = -2 * share * ratio * (d.real() * z1.real() + d.imag() * z1.imag());
+    (*slope)(row, 6) = -by_ratio;
+    (*slope)(row, 7) = by_ratio;
+  }
+  ++row;
+}
+
+/// Both pivots, at every edge of where they may be: not positive to its left.
+void PathProgram::add_pivots(LimitRows& rows) const {
+  auto& [x, value, slope, alpha, beta, gamma, z0, z1, z2, row] = rows;
   for (std::size_t k = 0; k < pivots_.size(); ++k) {
     const Point from = pivots_[k], along = (pivots_[(k + 1) % pivots_.size()] - from).normalized();
-    // Not positive to the left of the edge.
-    const auto outside = [&](Complex p) {
+    const auto outside = [&from, &along](Complex p) {
       return -cross(along, as_point(p) - from) + slack::path_inside_limit;
     };
     value[row] = is_given(0) ? -1 : outside(z0);  // one that is given lies within
     value[row + 1] = outside(z0 + z1 / alpha);
-    if (slope)
-      for (int pivot = 0; pivot < 2; ++pivot) {
-        if (pivot == 0 && is_given(0)) continue;
-        (*slope)(row + pivot, 0) = along.y();
-        (*slope)(row + pivot, 1) = -along.x();
-        if (pivot == 0) continue;
-        (*slope)(row + 1, 2) = along.y() / alpha;
-        (*slope)(row + 1, 3) = -along.x() / alpha;
-        (*slope)(row + 1, 6) = -(along.y() * x[2] - along.x() * x[3]) / alpha;
-      }
+    for (int pivot = 0; slope && pivot < 2; ++pivot) {
+      if (pivot == 0 && is_given(0)) continue;
+      (*slope)(row + pivot, 0) = along.y();
+      (*slope)(row + pivot, 1) = -along.x();
+      if (pivot == 0) continue;
+      (*slope)(row + 1, 2) = along.y() / alpha;
+      (*slope)(row + 1, 3) = -along.x() / alpha;
+      (*slope)(row + 1, 6) = -(along.y() * x[2] - along.x() * x[3]) / alpha;
+    }
     row += 2;
   }
+}
 
-  for (int i = 0; !timed_ && i < count(); ++i) {  // the last row: less than a whole turn
+/// The crank goes on from each point to the next, and by less than a whole turn from the first to the last: the last row.
+void PathProgram::add_order(LimitRows& rows) const {
+  for (int i = 0; i < count(); ++i) {
     const bool whole = i + 1 == count();
     const int first = angles_at + (whole ? 0 : i), next = angles_at + (whole ? count() - 1 : i + 1);
-    const double turn = way_ * (x[next] - x[first]), sign = whole ? 1 : -1;
-    value[row] = sign * (turn - (whole ? 2 * pi - slack::least_turn : slack::least_turn));
-    if (slope) {
-      (*slope)(row, next) = sign * way_;
-      (*slope)(row, first) = -sign * way_;
+    const double turn = way_ * (rows.x[next] - rows.x[first]), sign = whole ? 1 : -1;
+    rows.value[rows.row] = sign * (turn - (whole ? 2 * pi - slack::least_turn : slack::least_turn));
+    if (rows.slope) {
+      (*rows.slope)(rows.row, next) = sign * way_;
+      (*rows.slope)(rows.row, first) = -sign * way_;
     }
-    ++row;
+    ++rows.row;
   }
+}
 
-  if (!motion_) return;
-  const std::array<double, 4> lengths = lengths_in_ground_links(x);
+void PathProgram::add_motion(LimitRows& rows) const {
+  const std::array<double, 4> lengths = lengths_in_ground_links(rows.x);
   const std::array<double, 3> kept = grashof_values(*motion_, lengths);
   for (int other = 0, k = 0; other < 4; ++other) {
     if (other == motion_->link) continue;
-    value[row] = kept[static_cast<std::size_t>(k++)];
-    for (int moved = 1; slope && moved < 4; ++moved)
-      (*slope)(row, ratios_at + moved - 1) = motion_->sign * lengths[static_cast<std::size_t>(moved)] *
-                                             (moved == other || moved == motion_->link ? 1 : -1);
-    ++row;
+    rows.value[rows.row] = kept[static_cast<std::size_t>(k++)];
+    for (int moved = 1; rows.slope && moved < 4; ++moved)
+      (*rows.slope)(rows.row, ratios_at + moved - 1) = motion_->sign *
+                                                       lengths[static_cast<std::size_t>(moved)] *
+                                                       (moved == other || moved == motion_->link ? 1 : -1);
+    ++rows.row;
   }
 }
 

@@ -2,6 +2,7 @@
 // The unknowns of a path generator for the local solver: values and slopes of errors and limits.
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "synthesis/paths/path_generator.hpp"
@@ -71,6 +72,16 @@ class PathProgram {
   bool project_the_rest(const Eigen::Matrix3cd& normal, const Eigen::Vector3cd& right,
                         Eigen::VectorXd& x) const;
   Eigen::VectorXd kept_as_given(Eigen::VectorXd bound) const;
+
+  struct LimitRows;
+  /// Each adds the rows of some limits; `column`: of the unknown that is the angle, or the link's ratio, if one is.
+  void add_transmission(double angle, std::optional<int> column, LimitRows& rows) const;
+  void add_lengths(LimitRows& rows) const;
+  void add_link(double ratio, std::optional<int> column, LimitRows& rows) const;
+  void add_arm(double ratio, LimitRows& rows) const;
+  void add_pivots(LimitRows& rows) const;
+  void add_order(LimitRows& rows) const;
+  void add_motion(LimitRows& rows) const;
 
   struct Coupler;
   Complex inside(const Point& on_table) const {

@@ -45,6 +45,10 @@ inline constexpr double path_nearly_met = 1e-2, path_least_unit = 1e-12;
 
 /// mm: two points that follow each other count as no nearer where the path's length is divided.
 inline constexpr double path_least_step = 1e-9;
+/// Share of the path's size: a crank that is no longer is none.
+inline constexpr double path_least_crank = 1e-6;
+/// Paths' sizes: what counts as error at a point where the loop does not close; far more than any that closes has.
+inline constexpr double path_not_closed = 1e3;
 /// None: a search whose reach has shrunk to this is over.
 inline constexpr double path_least_reach = 1e-3;
 

@@ -52,7 +52,7 @@ RowJet DesignProblem::obstacle_row(const Row& row, const DesignVector& x, Deriva
 
 RowJet DesignProblem::copy_gap_row(std::size_t corner, const DesignVector& x) const {
   RowJet jet = zero_jet(layout_.size());
-  const SearchSpace::CopyGap gap = space_.copy_gap(space_.gap_corners()[corner], layout_.pole(x));
+  const SearchSpace::CornerGap gap = space_.copy_gap(space_.gap_corners()[corner], layout_.pole(x));
   jet.value = gap.distance / layout_.unit;
   if (layout_.pole_is_free) {
     const auto back = [&](const Point& z) { return as_point(std::conj(gap.factor) * as_complex(z)); };

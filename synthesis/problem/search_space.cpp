@@ -54,7 +54,7 @@ void SearchSpace::list_gap_corners() {
     gap_corners_.insert(gap_corners_.end(), {{corner, true}, {corner, false}});
 }
 
-SearchSpace::CopyGap SearchSpace::copy_gap(const GapCorner& corner, const Point& pole) const {
+SearchSpace::CornerGap SearchSpace::copy_gap(const GapCorner& corner, const Point& pole) const {
   // A corner of the copy lies at pole + k (z - pole). A corner z of the region against the copy is, |k| times as large,
   // pole + (z - pole)/k against the region.
   const Complex factor = corner.is_copied ? k() : 1.0 / k();

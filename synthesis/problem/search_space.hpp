@@ -52,13 +52,13 @@ class SearchSpace {
   const std::vector<GapCorner>& gap_corners() const { return gap_corners_; }
   /// Distance of a corner of region or copy from the other one with the pole at a place, mm; negative: inside it. And the place of
   /// the region that decides it, with the map's derivative by the pole (a complex factor).
-  struct CopyGap {
+  struct CornerGap {
     double distance;
     Point normal;  ///< d distance / d pole = conj(factor) * normal
     Complex factor;
     double curvature;  ///< 1/mm of the distance across the normal: 0 beside an edge
   };
-  CopyGap copy_gap(const GapCorner& corner, const Point& pole) const;
+  CornerGap copy_gap(const GapCorner& corner, const Point& pole) const;
   /// The smallest of them and which it is. Crossing edges without a corner inside are not noticed.
   struct SmallestCopyGap {
     double distance;

@@ -41,7 +41,7 @@ DerivativeDeviation check_derivatives(const SmoothProgram& program, const Design
         worst.objective_gradient, deviation(here.gradient[j], (a.objective - b.objective) / (2 * step)));
     for (int i = 0; i < program.constraint_count; ++i) {
       const double off = deviation(here.gradients(i, j), (a.values[i] - b.values[i]) / (2 * step));
-      if (off > worst.constraint_gradients || worst.worst_constraint < 0) worst.worst_constraint = i;
+      if (off > worst.constraint_gradients || !worst.worst_constraint) worst.worst_constraint = i;
       worst.constraint_gradients = std::max(worst.constraint_gradients, off);
     }
     const Eigen::VectorXd change = (a.gradient - a.gradients.transpose() * multipliers - b.gradient +

@@ -1,6 +1,8 @@
 #pragma once
 // Are a program's derivatives those of its values? A product feature: run it on any program before blaming a solver.
 
+#include <optional>
+
 #include "synthesis/solvers/smooth_program.hpp"
 
 namespace kempe {
@@ -9,8 +11,8 @@ namespace kempe {
 struct DerivativeDeviation {
   double objective_gradient = 0;
   double constraint_gradients = 0;
-  int worst_constraint = -1;  ///< -1: there are none
-  double hessian = 0;         ///< of the Lagrangian, against differences of the gradients
+  std::optional<int> worst_constraint;  ///< nothing: there are none
+  double hessian = 0;                   ///< of the Lagrangian, against differences of the gradients
 };
 
 /// Compares at x with differences of step `step` (about 1e-6 for variables of order 1); `multipliers` weigh the

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "geometry/point.hpp"
 #include "kinematics/stop_flag.hpp"
 #include "synthesis/design/design.hpp"
 
@@ -39,7 +40,7 @@ struct VerificationTask {
   std::vector<Obstacle> obstacles{};
   std::vector<Body> bodies{};
   std::optional<Polygon> table{};
-  double shortest = 0, longest = 1e300;  ///< mm, limits of every length
+  double shortest = 0, longest = infinity;  ///< mm, limits of every length
 };
 
 struct VerificationOptions {

@@ -52,7 +52,7 @@ TEST(Linkage, KeepsItsLengthsAndItsDriversPace) {
     EXPECT_NEAR((a.places[i] - 25 * Point(std::cos(angle), std::sin(angle))).norm(), 0, 1e-9);
     EXPECT_NEAR((a.places[i] - b.places[i]).norm(), 75, 1e-9);
     EXPECT_NEAR((d.places[i] - b.places[i]).norm(), 60, 1e-9);
-    EXPECT_NEAR((a.places[i] - b.places[i]).dot(a.velocities[i] - b.velocities[i]), 0, 1e-6);
+    EXPECT_NEAR((a.places[i] - b.places[i]).dot(*a.velocities[i] - *b.velocities[i]), 0, 1e-6);
   }
 }
 
@@ -73,6 +73,36 @@ TEST(Linkage, SaysWhyThereIsNoMotion) {
   const auto stopped = linkage.solve(4, {.stop = [] { return true; }});
   ASSERT_TRUE(std::holds_alternative<NoMotion>(stopped));
   EXPECT_TRUE(std::get<NoMotion>(stopped).stopped);
+}
+
+TEST(Linkage, HasNoRatesWhereItsMotionStopped) {
+  const auto moved = linkage_of(
+                         "[ground]\nO = [0, 0]\nD = [40, 0]\n[links]\n"
+                         "crank = { joints = [\"O\", \"A\"], O-A = 10 }\n"
+                         "rod = { joints = [\"A\", \"B\"], A-B = 25 }\n"
+                         "rocker = { joints = [\"D\", \"B\"], D-B = 15 }\n"
+                         "[[drivers]]\nangle = \"crank\"\nfrom_deg = 0\nto_deg = 360\n"
+                         "[[forces]]\nat = \"B\"\nnewton = [1, 2]\n")
+                         .solve(36);
+  const auto& motion = std::get<DrivenMotion>(moved);
+  ASSERT_TRUE(motion.end);
+  const std::size_t last = motion.steps.size() - 1;
+  const MovedPoint& a = point_of(motion, "A");
+  EXPECT_TRUE(a.velocities.front() && a.accelerations.front());
+  EXPECT_FALSE(a.velocities[last] || a.accelerations[last]);
+  EXPECT_TRUE(a.places[last].allFinite());
+  const MovedLink& rod = motion.links[1];
+  EXPECT_TRUE(rod.rates.front() && rod.accelerations.front());
+  EXPECT_FALSE(rod.rates[last] || rod.accelerations[last]);
+  EXPECT_FALSE(motion.reactions.empty());
+  for (const JointReaction& reaction : motion.reactions) {
+    EXPECT_TRUE(reaction.forces.front()) << reaction.name;
+    EXPECT_FALSE(reaction.forces[last]) << reaction.name;
+  }
+  for (const MotionColumn& column : motion.table) {
+    EXPECT_TRUE(column.values.front()) << column.name;
+    EXPECT_FALSE(column.is_force && column.values[last]) << column.name;
+  }
 }
 
 TEST(Chains, AreThoseOfSixLinks) {

@@ -7,15 +7,14 @@
 #include "workspace/contact/copy_contact.hpp"
 #include "workspace/contact/subdivision.hpp"
 #include "workspace/reach.hpp"
+#include "workspace/slack.hpp"
 
 namespace kempe {
 namespace {
 
-/// To what the figure is certified: mm, and for small linkages a share of the outer reach.
-constexpr double certain = 1e-2, certain_share = 1e-4;
-
+/// To what the figure is certified, mm.
 double certain_to(const CopyingLinkage& linkage) {
-  return std::min(certain, certain_share * reachable_annulus(linkage).outer);
+  return std::min(slack::certain_gap, slack::certain_gap_share * reachable_annulus(linkage).outer);
 }
 
 constexpr std::size_t most_cells = 200'000;

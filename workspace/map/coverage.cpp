@@ -10,12 +10,11 @@
 #include "geometry/segment_distance.hpp"
 #include "workspace/grid_outline.hpp"
 #include "workspace/reach.hpp"
+#include "workspace/slack.hpp"
 
 namespace kempe {
 namespace {
 
-/// Limits missed by less than this share of the outer reach count as kept.
-constexpr double touching = 1e-8;
 /// Cells that meet the region are cut until there would be more of them than this.
 constexpr std::size_t most_open_cells = 200'000;
 /// How often all open cells are cut again to find a way between two parts of the region.
@@ -91,20 +90,20 @@ Extremes extremes_of(const EdgeTree& region) {
 /// chosen.
 std::optional<Point> beyond_all_charts(const MapTask& task, const std::vector<Subdivision>& charts,
                                        const EdgeTree& region) {
-  const double slack = touching * reachable_annulus(task.linkage).outer;
+  const double ignored = slack::touching * reachable_annulus(task.linkage).outer;
   std::vector<Annulus> held;
   for (const Subdivision& chart : charts) held.push_back(annulus_over(task.linkage, chart.grid().openings()));
   std::sort(held.begin(), held.end(), [](const Annulus& a, const Annulus& b) { return a.inner < b.inner; });
   const Extremes extremes = extremes_of(region);
-  if (!held.empty() && extremes.nearest.norm() < held.front().inner - slack)
+  if (!held.empty() && extremes.nearest.norm() < held.front().inner - ignored)
     return task.linkage.pole() + extremes.nearest;
-  if (held.empty() || extremes.farthest.norm() > held.back().outer + slack)
+  if (held.empty() || extremes.farthest.norm() > held.back().outer + ignored)
     return task.linkage.pole() + extremes.farthest;
   double inner = 0;
   for (const Annulus& annulus : held) {
-    if (const auto point = region_point_between(region, inner, annulus.inner - slack))
+    if (const auto point = region_point_between(region, inner, annulus.inner - ignored))
       return task.linkage.pole() + *point;
-    inner = annulus.outer + slack;
+    inner = annulus.outer + ignored;
   }
   return std::nullopt;
 }
@@ -119,7 +118,7 @@ Decided decide_region(const MapTask& task, const Subdivision& chart, const StopF
   if (chart.region_in_contact()) return {chart.region_in_contact()->second, std::nullopt, {}};
   Subdivision cells = chart;
   cells.look_at_region_only();
-  cells.lower_clearance(task.limits.clearance - touching * reachable_annulus(task.linkage).outer);
+  cells.lower_clearance(task.limits.clearance - slack::touching * reachable_annulus(task.linkage).outer);
   while (!cells.open().empty() && !cells.region_in_contact() && cells.open().size() < most_open_cells &&
          !stop())
     if (!cells.split(unless(stop))) break;

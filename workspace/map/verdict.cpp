@@ -17,7 +17,7 @@ namespace {
 /// Gaps within this share of the mechanism's size of the clearance are not decided.
 constexpr double undecided = 1e-12;
 /// A transmission angle that misses its limit by less, rad, keeps it: the opening is computed from the place.
-constexpr double limit_rounding = 1e-9;
+constexpr double transmission_rounding = 1e-9;
 
 Verdict lost(Cause cause, std::string sentence, std::vector<std::string> parts = {}) {
   return {false, false, cause, std::move(parts), std::move(sentence)};
@@ -80,7 +80,7 @@ Verdict verdict_at(const MapTask& task, const Point& tracer) {
   if (!opening) return unreachable(linkage, opening.error(), distance);
   const double transmission = linkage.transmission_angle(*opening);
   const double limit = std::max(task.limits.transmission, least_usable_angle);
-  if (transmission < limit - limit_rounding)
+  if (transmission < limit - transmission_rounding)
     return lost(Cause::transmission_below_limit,
                 fmt::format("transmission below the limit: {:.4g} degrees here, the limit is {:.4g}",
                             degrees(transmission), degrees(limit)));

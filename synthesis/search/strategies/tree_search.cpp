@@ -31,12 +31,11 @@ class TreeSearch {
     if (!best_.design) return {.stopped = task_.stopped(), .evaluations = best_.evaluations};
     best_.design->evaluations = best_.evaluations;
     best_.design->complete = !task_.stopped();
-    return {
-        .design = best_.design,
-        .stopped = task_.stopped(),
-        .exhausted = tree && tree->exhausted && !task_.stopped(),
-        .bound = tree && tree->tight ? told(*tree) : std::nullopt,
-        .evaluations = best_.evaluations};
+    return {.design = best_.design,
+            .stopped = task_.stopped(),
+            .exhausted = tree && tree->exhausted && !task_.stopped(),
+            .bound = tree && tree->tight ? told(*tree) : std::nullopt,
+            .evaluations = best_.evaluations};
   }
 
  private:

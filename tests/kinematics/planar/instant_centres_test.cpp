@@ -149,7 +149,7 @@ TEST(InstantCentres, OfRandomSixBarsAgreeWithVelocities) {
         });
       };
       for (const CentreLine& line : *each.lines) {  // each passes through the two centres that gave it
-        const InstantCentre a = centre_of(each.first, line.via), b = centre_of(line.via, each.second);
+        const InstantCentre a = centre_of(each.first, *line.via), b = centre_of(*line.via, each.second);
         for (const InstantCentre& other : {a, b}) {
           if (other.kind != Kind::finite) continue;
           const Point way = other.at - each.at;

@@ -232,11 +232,13 @@ TEST(LoadFloor, TheBoundOfASearchUnderLoadIsThatOfATreeWithoutTheLimit) {
     ++compared;
     const double sign = spec.objective.objective == Objective::size ? 1 : -1;
     ASSERT_TRUE(found->proven_bound) << i;
-    const double told = sign * *found->proven_bound, best = sign * without->value, value = sign * found->value;
+    const double told = sign * *found->proven_bound, best = sign * without->value,
+                 value = sign * found->value;
     const double rounding = 1e-9 * std::abs(best);
     EXPECT_LE(told, best + rounding) << i;
     EXPECT_LE(told, value + rounding) << i;
-    const auto other = proven_bound(spec, {.incumbent = found->value, .tolerance = 1e-4, .share_of_gap = 0.05});
+    const auto other =
+        proven_bound(spec, {.incumbent = found->value, .tolerance = 1e-4, .share_of_gap = 0.05});
     ASSERT_TRUE(other) << i;
     // Both are at most a twentieth of what the limit costs, or 0.01 %, below the best without it.
     EXPECT_NEAR(told, sign * other->value, 0.06 * std::max(0.0, value - best) + 1e-3 * std::abs(best)) << i;

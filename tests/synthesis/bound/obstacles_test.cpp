@@ -76,7 +76,7 @@ ThrownAway look_into_boxes(test::SpecDice& dice, int specs, const std::vector<La
     const auto modes = assembly_modes(shape_of(spec.copy.k(), grounding));
     const AssemblyMode& mode = modes[static_cast<std::size_t>(i) % modes.size()];
     const bounding::Branch branch = bounding::make_branch(
-        spec, grounding, mode, bounding::layer_choices(spec.copy.k(), grounding, 2, {}, {}));
+        spec, grounding, mode, bounding::layer_candidates(spec.copy.k(), grounding, 2, {}, {}));
     const bounding::ObstacleTest test(spec, branch.mode, layers);
     for (int j = 0; j < 30; ++j) {
       const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(5e3, 5e5),

@@ -11,9 +11,9 @@ namespace kempe::bounding {
 
 /// The contacts that were met in a tree: a cheap first test for the boxes within those where they were met. The spec must
 /// outlive it.
-class ContactCuts {
+class MetContacts {
  public:
-  ContactCuts(const Spec& spec, StopFlag stop) : spec_(spec), stop_(std::move(stop)) {}
+  MetContacts(const Spec& spec, StopFlag stop) : spec_(spec), stop_(std::move(stop)) {}
 
   /// Tests the contacts that the node was split from; false if no layer assignment is left.
   bool repeat(TreeNode& node, const Branch& branch) const;

@@ -1,4 +1,4 @@
-#include "synthesis/bound/contact_cuts.hpp"
+#include "synthesis/bound/met_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace kempe::bounding {
 namespace {
 
-bool is_cut(const Branch& branch, const TreeNode& node, const Range& passed, const ContactCuts::Cut& cut) {
+bool is_cut(const Branch& branch, const TreeNode& node, const Range& passed, const MetContacts::Cut& cut) {
   if (cut.psi < passed.lower || cut.psi > passed.upper) return false;
   return always_nearer(branch.mode, node.lengths, cut.psi, cut.first, cut.second, cut.needed);
 }
@@ -21,7 +21,7 @@ void strike(TreeNode& node, const Branch& branch, const PairKey& pair) {
 
 }  // namespace
 
-bool ContactCuts::repeat(TreeNode& node, const Branch& branch) const {
+bool MetContacts::repeat(TreeNode& node, const Branch& branch) const {
   if (std::all_of(node.cut.begin(), node.cut.end(), [](std::uint32_t cut) { return cut == 0; })) return true;
   const Range passed = passed_by_all(branch.mode, node.distances, node.lengths);
   for (std::size_t i = 0; i < kept_cuts; ++i)
@@ -30,7 +30,7 @@ bool ContactCuts::repeat(TreeNode& node, const Branch& branch) const {
   return !node.alive.empty();
 }
 
-bool ContactCuts::rule_out(TreeNode& node, const Branch& branch, std::size_t& boxes) {
+bool MetContacts::rule_out(TreeNode& node, const Branch& branch, std::size_t& boxes) {
   const Range passed = passed_by_all(branch.mode, node.distances, node.lengths);
   if (passed.empty()) return true;
   const double t = std::sqrt(node.lengths.t.lower * node.lengths.t.upper);
