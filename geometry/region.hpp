@@ -2,7 +2,7 @@
 // What regions measure and contain.
 
 #include "geometry/point.hpp"
-#include "kempe/region.hpp"
+#include "kempe/point.hpp"
 
 namespace kempe {
 

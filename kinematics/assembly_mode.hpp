@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/side.hpp"
-#include "kempe/pose.hpp"
+#include "kempe/mechanism.hpp"
 
 namespace kempe {
 

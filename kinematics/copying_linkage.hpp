@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "geometry/point.hpp"
-#include "kempe/pose.hpp"
+#include "kempe/mechanism.hpp"
 #include "kinematics/assembly_mode.hpp"
 #include "kinematics/grounding.hpp"
 #include "kinematics/opening_interval.hpp"

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "geometry/point.hpp"
-#include "kempe/grounding.hpp"
+#include "kempe/mechanism.hpp"
 
 namespace kempe {
 

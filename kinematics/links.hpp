@@ -4,8 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "kempe/joint.hpp"
-#include "kempe/link.hpp"
+#include "kempe/mechanism.hpp"
 #include "kempe/point.hpp"
 
 namespace kempe {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "kempe/pose.hpp"
+#include "kempe/mechanism.hpp"
 
 namespace kempe {
 

@@ -1,10 +1,11 @@
-// design() and map() of kempe/design.hpp, front() of kempe/front.hpp.
+// design() and map() of kempe/design.hpp, front() of kempe/design.hpp.
+
+#include "kempe/design.hpp"
 
 #include <algorithm>
 #include <string>
 #include <variant>
 
-#include "kempe/front.hpp"
 #include "kempe/validate.hpp"
 #include "kinematics/deadline.hpp"
 #include "library/workings.hpp"

@@ -1,6 +1,5 @@
 // Specs in, designs out: kempe/validate.hpp and kempe/write.hpp.
 
-#include "kempe/studio.hpp"
 #include "kempe/validate.hpp"
 #include "kempe/verify.hpp"
 #include "kempe/write.hpp"

@@ -254,14 +254,14 @@ LinkageAnswer<std::string> Linkage::equations(double step, const AssemblyChoice&
   return loop_equations_json(inside_->file, inside_->model, step, *moment);
 }
 
-LinkageAnswer<std::string> Linkage::animation(Film film, std::optional<int> steps,
+LinkageAnswer<std::string> Linkage::animation(AnimationFile file, std::optional<int> steps,
                                               const AssemblyChoice& choice,
                                               const std::vector<PlaceAskedFor>& wanted) const {
   return of_run<std::string>(
       *inside_, steps, choice, animated_steps, [&](const LoadedLinkage& loaded, const PlanarRun& run) {
         LinkageScene scene = linkage_scene(loaded.file, loaded.model, run, loaded.file.steps);
         if (!wanted.empty()) add_wanted_places(loaded.file, wanted, coupler_point_name, scene);
-        return film == Film::page ? animation_html(scene) : animation_svg(scene);
+        return file == AnimationFile::page ? animation_html(scene) : animation_svg(scene);
       });
 }
 

@@ -1,7 +1,6 @@
-// kempe/studio.hpp.
+// kempe/write.hpp.
 
-#include "kempe/studio.hpp"
-
+#include "kempe/write.hpp"
 #include "reports/page/studio_page.hpp"
 #include "specs/spec_reader.hpp"
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "kempe/region.hpp"
+#include "kempe/point.hpp"
 
 namespace kempe::python {
 

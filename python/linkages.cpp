@@ -193,10 +193,11 @@ void add_views(LinkageClass& type) {
           "animation",
           [](const Linkage& linkage, bool is_page, std::optional<int> steps, int assembly, std::uint64_t seed,
              const std::vector<PlaceTuple>& wanted) {
-            const Linkage::Film film = is_page ? Linkage::Film::page : Linkage::Film::drawing;
+            const Linkage::AnimationFile file =
+                is_page ? Linkage::AnimationFile::page : Linkage::AnimationFile::drawing;
             const std::vector<PlaceAskedFor> places = places_of(wanted);
             return text_answered(seed, assembly, [&](const AssemblyChoice& choice) {
-              return linkage.animation(film, steps, choice, places);
+              return linkage.animation(file, steps, choice, places);
             });
           },
           "is_page"_a, "steps"_a, "assembly"_a, "seed"_a, "wanted"_a);

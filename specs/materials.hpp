@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "kempe/material.hpp"
+#include "kempe/links.hpp"
 
 namespace kempe {
 

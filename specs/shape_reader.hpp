@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/region.hpp"
-#include "kempe/body.hpp"
+#include "kempe/spec.hpp"
 #include "specs/text/complaints.hpp"
 #include "specs/text/toml_access.hpp"
 

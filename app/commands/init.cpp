@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/all_commands.hpp"
-#include "kempe/templates.hpp"
+#include "kempe/spec.hpp"
 #include "reports/data/atomic_file.hpp"
 #include "specs/key_checks.hpp"
 #include "specs/text/printable.hpp"

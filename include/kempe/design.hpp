@@ -1,23 +1,41 @@
 #pragma once
-// From a spec to the best design that keeps every limit, or to the reason why there is none.
+// From a spec to the best design that keeps every limit, or to the reason why there is none; and to a front of designs.
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
-#include "kempe/copy.hpp"
 #include "kempe/export.hpp"
 #include "kempe/input_error.hpp"
 #include "kempe/map.hpp"
-#include "kempe/options.hpp"
 #include "kempe/spec.hpp"
 #include "kempe/verification.hpp"
 
 namespace kempe {
+
+/// How to work, for design() and map().
+struct Options {
+  std::uint64_t seed = 1;  ///< same spec and seed, same design, bit for bit
+  int threads = 1;         ///< 0 and less count as 1; the design does not depend on it
+  /// s of wall clock; at its end the best so far comes back, at once if it is 0 or less; absent: no limit
+  std::optional<double> time_limit{};
+  /// Asked often, perhaps from several threads; once true it must stay true. The best so far then comes back.
+  std::function<bool()> stop{};
+  /// Called with what is being done ("searching", "proving a bound", "mapping", ...) and the share of that which is done, 0..1; each
+  /// begins anew. Called from one thread at a time.
+  std::function<void(double share, std::string_view what)> progress{};
+  bool diagnose = true;  ///< look for the least relaxations where there is no design
+  /// Share of the free workspace that may stay uncertain, not NaN; 1e-5 or 0.5 where it is less or more
+  double map_tolerance = 0.005;
+  /// Look for the largest rectangles that fit the workspace: the slowest part of a map
+  bool largest_sheets = true;
+};
 
 /// A linkage with its parts, its map and its figures: found by design(), or given and mapped by map().
 ///
@@ -157,5 +175,28 @@ KEMPE_EXPORT Outcome design(const Spec& spec, const Options& options = {});
 /// map says where they are kept. Of the options seed, threads, progress and diagnose play no part. Where the spec gives no
 /// mechanism, or an area for its pole, fault() says so.
 KEMPE_EXPORT Outcome map(const Spec& spec, const Options& options = {});
+
+/// A point of a front: no other of its points is better in both objectives.
+struct FrontPoint {
+  double first = 0;   ///< the first objective's value: mm, rad (transmission), mm^2 (footprint) or kg (mass)
+  double second = 0;  ///< the second's
+  FinishedDesign design;  ///< without a bound, which would be that of the spec's own objective
+};
+
+/// A front, from the best in the first objective to the best in the second.
+struct Front {
+  std::vector<FrontPoint> points;              ///< in that order
+  bool complete = true;                        ///< false: stopped early, points are missing
+  Objective first = Objective::size;           ///< of FrontPoint::first
+  Objective second = Objective::transmission;  ///< of FrontPoint::second
+};
+
+/// The front between two objectives by the epsilon constraint method (docs/search.md): about `points` designs, at least 2; fewer where
+/// searches give the same design again. Of several sections each has a front of about `points`; what a design of another section beats
+/// is left out. All limits of the spec hold at every point, its own objective plays no part. Or, as an Outcome, why there is none; a
+/// robust spec and one that lacks what an objective needs are faults, and so are two objectives that are one, and points outside 2 to
+/// 200 (keys "between", "points").
+KEMPE_EXPORT std::variant<Front, Outcome> front(const Spec& spec, Objective first, Objective second,
+                                                int points = 15, const Options& options = {});
 
 }  // namespace kempe

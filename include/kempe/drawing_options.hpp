@@ -1,5 +1,5 @@
 #pragma once
-// How a drawing lies on the table, and what copies it: the options of `kempe trace`.
+// How a drawing lies on the table, and what copies it: the options of `kempe trace`; and the paper that drawings are printed on.
 
 #include <cstdint>
 #include <functional>
@@ -23,6 +23,11 @@ struct DrawingOptions {
   bool keep_joints = false;                 ///< make the table of the joints' places
   bool keep_forces = false;      ///< make the table of the hand's forces, and colour the copy by them
   std::function<bool()> stop{};  ///< true ends it; asked at every pose, in the thread that copies
+};
+
+enum class Paper {
+  A4,  ///< 210 x 297 mm
+  A3   ///< 297 x 420 mm
 };
 
 }  // namespace kempe

@@ -8,10 +8,10 @@
 #include <variant>
 #include <vector>
 
+#include "kempe/design.hpp"
 #include "kempe/export.hpp"
 #include "kempe/input_error.hpp"
-#include "kempe/options.hpp"
-#include "kempe/place_asked_for.hpp"
+#include "kempe/linkage.hpp"
 
 namespace kempe {
 

@@ -13,10 +13,18 @@
 
 #include "kempe/export.hpp"
 #include "kempe/input_error.hpp"
-#include "kempe/place_asked_for.hpp"
 #include "kempe/point.hpp"
 
 namespace kempe {
+
+/// A place asked for, and the one that the linkage reaches. mm, rad, y upward.
+struct PlaceAskedFor {
+  Point at = Point::Zero();             ///< asked for, mm
+  Point reached = Point::Zero();        ///< mm
+  std::optional<double> angle;          ///< rad, direction of the body that carries the point; for poses only
+  std::optional<double> reached_angle;  ///< rad; there where `angle` is
+  double share = 0;                     ///< of the motion, 0 to 1, after which it is reached
+};
 
 struct LoadedLinkage;  // what is inside
 
@@ -136,13 +144,13 @@ class KEMPE_EXPORT Linkage {
   LinkageAnswer<std::string> equations(double step = 0, const AssemblyChoice& choice = {}) const;
 
   /// What animation() makes.
-  enum class Film {
+  enum class AnimationFile {
     page,    ///< HTML with a slider
     drawing  ///< SVG that plays by itself
   };
   /// The linkage moving, one file without a network. `wanted`: places that its point P was asked for (GeneratedLinkage::wanted), shown
   /// with the deviations from them; the linkage must then have a point of that name.
-  LinkageAnswer<std::string> animation(Film film, std::optional<int> steps = std::nullopt,
+  LinkageAnswer<std::string> animation(AnimationFile file, std::optional<int> steps = std::nullopt,
                                        const AssemblyChoice& choice = {},
                                        const std::vector<PlaceAskedFor>& wanted = {}) const;
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the links are made of and which lengths they may have.
+// What the links are made of, which lengths they may have, and their material.
 
 #include <array>
 #include <optional>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kempe/export.hpp"
-#include "kempe/joint.hpp"
+#include "kempe/mechanism.hpp"
 
 namespace kempe {
 
@@ -84,6 +84,18 @@ struct LinkSpec {
   /// Sections to choose from, the same for all links: sorted by area, the lightest first, each once. `style` has the first of them; in the
   /// spec of a design that was found, the design's own. Empty: style.width and style.thickness.
   std::vector<LinkSection> sections{};
+};
+
+/// A material, taken as elastic and the same in every direction. docs/loads.md lists those that a spec can name, with sources.
+struct Material {
+  std::string name{};         ///< "steel", or what the spec calls it; for people
+  double E = 0;               ///< MPa (N/mm^2), > 0: modulus of elasticity
+  double density = 0;         ///< kg/m^3, > 0
+  double strength = 0;        ///< MPa, > 0: what the largest stress in a link is compared with
+  std::optional<double> G{};  ///< MPa, > 0: shear modulus; absent: E / 2.6, as of Poisson's ratio 0.3
+  /// MPa
+  double shear_modulus() const { return G.value_or(E / 2.6); }
+  bool operator==(const Material&) const = default;
 };
 
 }  // namespace kempe

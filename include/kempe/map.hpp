@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "kempe/export.hpp"
-#include "kempe/pose.hpp"
-#include "kempe/region.hpp"
+#include "kempe/mechanism.hpp"
+#include "kempe/point.hpp"
 
 namespace kempe {
 

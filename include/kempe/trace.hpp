@@ -13,7 +13,7 @@
 #include "kempe/drawing_options.hpp"
 #include "kempe/export.hpp"
 #include "kempe/input_error.hpp"
-#include "kempe/region.hpp"
+#include "kempe/point.hpp"
 
 namespace kempe {
 

@@ -1,5 +1,5 @@
 #pragma once
-// A design as files and texts: design.json, report, drawings, parts.
+// A design as files and texts: design.json, report, drawings, parts; a spec as the studio's page.
 
 #include <filesystem>
 #include <functional>
@@ -10,10 +10,9 @@
 
 #include "kempe/calibrate.hpp"
 #include "kempe/design.hpp"
+#include "kempe/drawing_options.hpp"
 #include "kempe/export.hpp"
-#include "kempe/front.hpp"
 #include "kempe/input_error.hpp"
-#include "kempe/paper.hpp"
 
 namespace kempe {
 
@@ -82,5 +81,12 @@ KEMPE_EXPORT std::variant<FinishedDesign, InputError> restore(std::string_view j
                                                               const std::string& name = "",
                                                               ClaimedBound bound = ClaimedBound::prove,
                                                               const std::function<bool()>& stop = {});
+
+/// What `kempe studio` writes: one page (HTML) that opens with the spec. `page` is the text of the page that scripts/studio builds, `spec` a
+/// spec's file (TOML), `name` what the page calls it; a drawing that the spec names is looked for in `folder`.
+/// Errors: the spec's faults; a drawing that cannot be read; a page that is not the studio's (key "page").
+KEMPE_EXPORT std::variant<std::string, InputError> studio_page(const std::string& page, std::string_view spec,
+                                                               const std::string& name = "spec",
+                                                               const std::filesystem::path& folder = {});
 
 }  // namespace kempe

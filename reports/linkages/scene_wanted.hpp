@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "kempe/place_asked_for.hpp"
+#include "kempe/linkage.hpp"
 #include "reports/linkages/picture.hpp"
 #include "reports/linkages/scene.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kempe/paper.hpp"
+#include "kempe/drawing_options.hpp"
 #include "reports/pictures/map_picture.hpp"
 #include "synthesis/design/design.hpp"
 

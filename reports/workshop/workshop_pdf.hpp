@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "kempe/paper.hpp"
+#include "kempe/drawing_options.hpp"
 #include "synthesis/design/design.hpp"
 
 namespace kempe {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "kempe/load.hpp"
+#include "kempe/spec.hpp"
 
 namespace kempe {
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "kempe/pose.hpp"
+#include "kempe/mechanism.hpp"
 #include "kinematics/grounding.hpp"
 #include "specs/spec.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/region.hpp"
-#include "kempe/pose.hpp"
+#include "kempe/mechanism.hpp"
 #include "workspace/parts.hpp"
 
 namespace kempe::plain {

@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "kempe/pose.hpp"
+#include "kempe/mechanism.hpp"
 
 namespace kempe {
 

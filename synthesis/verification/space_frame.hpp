@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "kempe/pose.hpp"
+#include "kempe/mechanism.hpp"
 #include "kempe/spec.hpp"
 #include "kinematics/grounding.hpp"
 #include "workspace/parts.hpp"

@@ -24,7 +24,7 @@ HEAVY = {  # a library's headers -> the files that may include them
     r"hpdf": r"_backend\.cpp$",
 }
 # The public headers that need the whole library below them; the others hold the values that every room uses.
-FACADE = {f"kempe/{name}.hpp" for name in ("calibrate", "design", "front", "generators", "kempe", "map", "options", "sketch", "trace", "validate", "verify", "write")}
+FACADE = {f"kempe/{name}.hpp" for name in ("calibrate", "design", "generators", "kempe", "map", "sketch", "trace", "validate", "verify", "write")}
 TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|enum(?: class)?) (\w+)(?: final)?(?: :| \{|$)")
 
 

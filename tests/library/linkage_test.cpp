@@ -151,10 +151,10 @@ TEST(Generators, PathGeneratorsComeWithTheirCognates) {
   EXPECT_EQ(linkages[1].kind, "answer_1_cognate_1");
   EXPECT_FALSE(linkages[1].wanted.front().angle);
   const auto linkage = std::get<Linkage>(Linkage::parse(linkages.front().text));
-  const auto page = linkage.animation(Linkage::Film::page, {}, {}, linkages.front().wanted);
+  const auto page = linkage.animation(Linkage::AnimationFile::page, {}, {}, linkages.front().wanted);
   ASSERT_TRUE(std::holds_alternative<std::string>(page));
   EXPECT_NE(std::get<std::string>(page).find("id=\"wanted\""), std::string::npos);
-  EXPECT_EQ(std::get<std::string>(linkage.animation(Linkage::Film::page)).find("id=\"wanted\""),
+  EXPECT_EQ(std::get<std::string>(linkage.animation(Linkage::AnimationFile::page)).find("id=\"wanted\""),
             std::string::npos);
 }
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "kempe/region.hpp"
+#include "kempe/point.hpp"
 #include "kinematics/grounding.hpp"
 #include "reports/data/json_fields.hpp"
 

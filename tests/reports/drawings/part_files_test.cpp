@@ -9,7 +9,7 @@
 #include <fstream>
 #include <tuple>
 
-#include "kempe/units.hpp"
+#include "kempe/point.hpp"
 #include "reports/audit/recheck.hpp"
 #include "reports/data/design_json.hpp"
 #include "reports/design_package.hpp"

@@ -2,7 +2,7 @@
 // Draws that the tests of closed forms share: any grounding, a thing that is so once in n times, and what their links are cut from.
 
 #include "geometry/chance.hpp"
-#include "kempe/material.hpp"
+#include "kempe/links.hpp"
 #include "kinematics/assembly_mode.hpp"
 
 namespace kempe::any_linkage {

@@ -1,14 +1,33 @@
 #pragma once
-// Where the six points of a linkage are, and the lengths and openings that say it.
+// The one copying linkage: its joints and links, its three groundings, and where its six points are.
 
 #include <array>
 #include <string_view>
 
 #include "kempe/export.hpp"
-#include "kempe/grounding.hpp"
 #include "kempe/point.hpp"
 
 namespace kempe {
+
+/// The six named points of the drawing: the parallelogram V A C B, and the plates' ends X and Y. V, X and Y are the homologous
+/// points, corners of a triangle that stays similar to itself.
+enum class Joint { V, A, B, C, X, Y };
+
+/// The four moving links, in the order of every array over links.
+enum class Link { VA, VB, ACX, BCY };
+inline constexpr std::array<Link, 4> all_links{Link::VA, Link::VB, Link::ACX, Link::BCY};
+
+/// A grounding, named after what stands at the parallelogram's vertex V.
+enum class Grounding {
+  pole,    ///< pole V, tracer X, pen Y; s = k        (plagiograph)
+  tracer,  ///< pole X, tracer V, pen Y; s = 1 - k    (drawing pantograph)
+  pen      ///< pole X, tracer Y, pen V; s = 1 - 1/k  (variable ratio pantograph)
+};
+/// The three, in the order in which they are looked at and listed.
+inline constexpr std::array<Grounding, 3> all_groundings{Grounding::pole, Grounding::tracer, Grounding::pen};
+
+/// "pole", "tracer" or "pen".
+KEMPE_EXPORT std::string_view name(Grounding grounding);
 
 /// Where the six points are (or: their velocities, their accelerations), table frame, mm (mm/s, mm/s^2).
 struct KEMPE_EXPORT Pose {
