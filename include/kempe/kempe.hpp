@@ -16,3 +16,13 @@
 #include "kempe/validate.hpp"
 #include "kempe/verify.hpp"
 #include "kempe/write.hpp"
+
+namespace kempe {
+
+/// Units: lengths are millimetres and angles radians, always. Multiply a number by these, or by rad and degree (kempe/point.hpp), to say
+/// what it is.
+inline constexpr double mm = 1;
+/// The same of an inch.
+inline constexpr double inch = 25.4;
+
+}  // namespace kempe

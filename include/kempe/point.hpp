@@ -1,5 +1,5 @@
 #pragma once
-// Points of the table's plane, regions of it, angles and units.
+// Points of the table's plane, regions of it, and angles.
 
 #include <Eigen/Core>
 #include <complex>
@@ -28,9 +28,6 @@ inline constexpr double degree = pi / 180;
 inline constexpr double radians(double degrees) { return degrees * degree; }
 /// An angle in radians as degrees.
 inline constexpr double degrees(double radians) { return radians * (180 / pi); }
-
-inline constexpr double mm = 1;
-inline constexpr double inch = 25.4;
 
 /// A closed ring of points, mm; the last point is not the first repeated.
 using Ring = std::vector<Point>;

@@ -150,11 +150,11 @@ bool ObstacleTest::is_hit_by_the_copy(const PoleSpec& pole, const ObstacleTerm& 
     return gap + moves[static_cast<std::size_t>(joint)] + gap_rounding(end, joints) < clearance_;
   };
   bool is_hit = false;
-  const auto may_be_hit = [&](const PlaceGroup& group, bool) -> std::optional<bool> {
+  const auto may_be_hit = [&](const PlaceGroup& group, bool) {
     if (group.centre == poles.centre) return true;
     const PlacedJoints joints = joints_at(group.centre);
     const double enough = clearance_ + per_tracer * group.radius + 2 * gap_rounding(end, joints);
-    return gap_at(joints, enough) >= enough ? std::nullopt : std::optional(true);
+    return !(gap_at(joints, enough) >= enough);
   };
   descend(scene_->groups, 0, true, may_be_hit, [&](std::size_t place, bool) {
     is_hit = !stop_() && is_hit_at(scene_->many_places[place]);
@@ -387,36 +387,41 @@ struct ObstacleTest::Design {
 /// One of the many places, and the terms that may be hit there.
 struct ObstacleTest::Doubt {
   std::size_t place;
-  std::shared_ptr<const std::vector<std::size_t>> terms;
+  std::shared_ptr<const TermNumbers> terms;
 };
+
+/// Of the terms those that are not surely `gap` (mm) apart from every place of the group; null if there are none.
+std::shared_ptr<const ObstacleTest::TermNumbers> ObstacleTest::may_be_nearer(const Design& design,
+                                                                             const PlaceGroup& group,
+                                                                             const TermNumbers& terms,
+                                                                             double gap) const {
+  const PlacedJoints joints(reach_, roles_, design.lengths, design.sides, design.pole, group.centre);
+  std::array<std::optional<JointMoves>, all_joints.size()> moves;  // as seen from each joint
+  const auto may_be = [&](std::uint32_t i) {
+    const ObstacleTerm& term = terms_[i].what;
+    const Joint seen_from = term.seen_from.value_or(roles_.pole);
+    auto& seen = moves[static_cast<std::size_t>(seen_from)];
+    if (!seen) seen = moving_.beside(std::exp(design.lengths.u), joints.all(), group.radius, seen_from);
+    const double enough = gap + moved_of(term, *seen) + 2 * gap_rounding(term, joints);
+    return !(obstacle_gap(term, scene_->shapes[term.obstacle], joints, enough, Beyond::anything) >= enough);
+  };
+  auto left = std::make_shared<TermNumbers>();
+  std::copy_if(terms.begin(), terms.end(), std::back_inserter(*left), may_be);
+  return left->empty() ? nullptr : std::move(left);
+}
 
 /// The many places in their order, without those at which surely nothing is hit.
 std::vector<ObstacleTest::Doubt> ObstacleTest::where_it_may_be_hit(const Design& design,
                                                                    std::size_t layers) const {
   std::vector<Doubt> doubts;
   if (scene_->groups.groups.empty()) return doubts;
-  using Terms = std::shared_ptr<const std::vector<std::size_t>>;
-  const double VA = std::exp(design.lengths.u);
-  const auto left_of = [&](const PlaceGroup& group, const Terms& terms) -> std::optional<Terms> {
-    if (stop_()) return std::nullopt;
-    const PlacedJoints joints(reach_, roles_, design.lengths, design.sides, design.pole, group.centre);
-    std::array<std::optional<JointMoves>, all_joints.size()> moves;  // as seen from each joint
-    const auto is_clear = [&](std::size_t i) {
-      const ObstacleTerm& term = terms_[i].what;
-      const Joint seen_from = term.seen_from.value_or(roles_.pole);
-      auto& seen = moves[static_cast<std::size_t>(seen_from)];
-      if (!seen) seen = moving_.beside(VA, joints.all(), group.radius, seen_from);
-      const double enough = clearance_ + moved_of(term, *seen) + 2 * gap_rounding(term, joints);
-      return obstacle_gap(term, scene_->shapes[term.obstacle], joints, enough, Beyond::anything) >= enough;
-    };
-    auto left = std::make_shared<std::vector<std::size_t>>();
-    std::copy_if(terms->begin(), terms->end(), std::back_inserter(*left),
-                 [&](std::size_t i) { return !is_clear(i); });
-    return left->empty() ? std::nullopt : std::optional<Terms>(std::move(left));
+  using Terms = std::shared_ptr<const TermNumbers>;
+  auto all = std::make_shared<TermNumbers>();
+  std::copy_if(all_terms_.begin(), all_terms_.end(), std::back_inserter(*all),
+               [&](std::uint32_t i) { return terms_[i].layers.has(layers); });
+  const auto left_of = [&](const PlaceGroup& group, const Terms& terms) -> Terms {
+    return stop_() ? nullptr : may_be_nearer(design, group, *terms, clearance_);
   };
-  auto all = std::make_shared<std::vector<std::size_t>>();
-  for (std::size_t i = 0; i < terms_.size(); ++i)
-    if (terms_[i].layers.has(layers)) all->push_back(i);
   descend(scene_->groups, 0, Terms(std::move(all)), left_of, [&](std::size_t place, const Terms& terms) {
     doubts.push_back({place, terms});
     return true;
@@ -469,25 +474,37 @@ bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t
 }
 
 void ObstacleTest::look_further(const DesignBox& box, const LayerSet& alive) {
-  if (places_.size() >= most_places || stop_()) return;
-  const LogLengths middle = middle_of(box);
-  const SideLengths sides = reach_.sides(middle);
-  const auto depth_at = [&](const Point& place) {
-    const PlacedJoints joints(reach_, roles_, middle, sides, box.pole, place);
+  if (places_.size() >= most_places || scene_->groups.groups.empty() || stop_()) return;
+  const LogLengths lengths = middle_of(box);
+  const Design middle{lengths, reach_.sides(lengths), box.pole};
+  using Terms = std::shared_ptr<const TermNumbers>;
+  const auto depth_at = [&](const Point& place, const TermNumbers& terms) {
+    const PlacedJoints joints(reach_, roles_, lengths, middle.sides, box.pole, place);
     double deepest = 0;
-    for (const Term& term : terms_)
-      if (term.layers.meets(alive))
-        deepest = std::max(deepest, clearance_ - obstacle_gap(term.what, scene_->shapes[term.what.obstacle],
-                                                              joints, clearance_, Beyond::anything));
+    for (const std::uint32_t i : terms) {
+      const ObstacleTerm& term = terms_[i].what;
+      deepest = std::max(deepest, clearance_ - obstacle_gap(term, scene_->shapes[term.obstacle], joints,
+                                                            clearance_, Beyond::anything));
+    }
     return deepest;
   };
-  double known = 0;
-  for (const Place& place : places_) known = std::max(known, depth_at(place.at));
-  double deepest = 2 * known;
-  std::optional<Point> found;
-  for (const Point& place : scene_->many_places)
-    if (const double depth = depth_at(place); depth > deepest) deepest = depth, found = place;
-  if (found) places_.push_back({*found});
+  auto counting = std::make_shared<TermNumbers>();
+  std::copy_if(all_terms_.begin(), all_terms_.end(), std::back_inserter(*counting),
+               [&](std::uint32_t i) { return terms_[i].layers.meets(alive); });
+  double deepest = 0;
+  for (const Place& place : places_) deepest = std::max(deepest, 2 * depth_at(place.at, *counting));
+  std::optional<std::size_t> found;  // of equally deep ones the first
+  const auto may_be_deeper = [&](const PlaceGroup& group, const Terms& terms) -> Terms {
+    return may_be_nearer(middle, group, *terms, clearance_ - deepest);
+  };
+  descend(scene_->groups, 0, Terms(std::move(counting)), may_be_deeper,
+          [&](std::size_t place, const Terms& terms) {
+            const double depth = depth_at(scene_->many_places[place], *terms);
+            if (depth > deepest || (found && depth == deepest && place < *found))
+              deepest = depth, found = place;
+            return true;
+          });
+  if (found) places_.push_back({scene_->many_places[*found]});
 }
 
 void ObstacleTest::add_place(const Point& place, std::size_t layers) { places_.push_back({place, layers}); }

@@ -122,6 +122,9 @@ class ObstacleTest {
   bool is_hit_by_the_copy(const PoleSpec& pole, const ObstacleTerm& end) const;
   struct Design;
   struct Doubt;
+  using TermNumbers = std::vector<std::uint32_t>;
+  std::shared_ptr<const TermNumbers> may_be_nearer(const Design& design, const PlaceGroup& group,
+                                                   const TermNumbers& terms, double gap) const;
   std::vector<Doubt> where_it_may_be_hit(const Design& design, std::size_t layers) const;
   bool is_hit_all_over(const Term& term, const JointSpreads& spreads, double rounding) const;
   struct Look;
@@ -139,8 +142,8 @@ class ObstacleTest {
   std::size_t last_hit_ =
       0;  ///< of the places: where a design was not clear, so that the next may well not be
   std::vector<Term> terms_;
-  std::vector<std::uint32_t> all_terms_;  ///< their numbers
-  LayerSet hit_by_the_copy_{};            ///< in which something is hit whatever the lengths are
+  TermNumbers all_terms_;         ///< their numbers
+  LayerSet hit_by_the_copy_{};    ///< in which something is hit whatever the lengths are
   std::size_t convex_pairs_ = 0;  ///< what the terms cost: those with a shape of few parts one, others two
   StopFlag stop_;
 };

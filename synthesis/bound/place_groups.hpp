@@ -22,15 +22,15 @@ struct PlaceGroups {
 };
 PlaceGroups groups_of(const std::vector<Point>& places);
 
-/// From a group downwards. `visit(group, what)` returns what its halves are to be visited with, or nothing if they need not be;
+/// From a group downwards. `visit(group, what)` returns what its halves are to be visited with, null or false if they need not be;
 /// `at(number, what)` is called with single places and returns false once that is enough. True if it never did.
 template <typename What, typename Visit, typename At>
 bool descend(const PlaceGroups& tree, std::size_t group, const What& what, const Visit& visit, const At& at) {
   const PlaceGroup& here = tree.groups[group];
   if (here.places == 1) return at(tree.order[here.first], what);
-  const auto left = visit(here, what);
-  return !left || (descend(tree, group + 1, *left, visit, at) &&
-                   descend(tree, group + 2 * (here.places / 2), *left, visit, at));
+  const What left = visit(here, what);
+  return !left || (descend(tree, group + 1, left, visit, at) &&
+                   descend(tree, group + 2 * (here.places / 2), left, visit, at));
 }
 
 }  // namespace kempe::bounding

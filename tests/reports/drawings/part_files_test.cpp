@@ -24,6 +24,8 @@
 namespace kempe {
 namespace {
 
+constexpr double inch = 25.4;  // mm
+
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
