@@ -29,8 +29,8 @@ using bounding::Range;
 using bounding::TreeNode;
 
 /// What trees over the same designs share.
-struct Ground {
-  Ground(const Spec& spec, const BoundOptions& options)
+struct Shared {
+  Shared(const Spec& spec, const BoundOptions& options)
       : poles(spec, options.self_contact), cuts(spec, options.stop) {}
 
   bounding::PolePlaces poles;
@@ -43,7 +43,7 @@ struct Ground {
 class Tree {
  public:
   Tree(const Spec& spec, Objective objective, const BoundOptions& options, const Trials* trials = nullptr)
-      : Tree(spec, objective, options, trials, std::make_shared<Ground>(spec, options)) {}
+      : Tree(spec, objective, options, trials, std::make_shared<Shared>(spec, options)) {}
 
   /// Nothing if it was stopped before every grounding was looked at: then nothing is proven of the others.
   std::optional<ProvenBound> grow() {
@@ -52,7 +52,7 @@ class Tree {
     ProvenBound proven = proven_so_far();
     if (trials_ && proven.tight && designs_.best() < infinity) {
       if (sees_loads()) proven.without_load_limit = grown_without_load_limit();
-      for (const auto& test : ground_->obstacle_tests) test->demand_more(trials_->margin, trials_->places);
+      for (const auto& test : shared_->obstacle_tests) test->demand_more(trials_->margin, trials_->places);
       grow_until(trials_->tolerance);
       proven.exhausted = is_closed(trials_->tolerance);
       // What the trials came to meanwhile is a design all the same.
@@ -64,10 +64,10 @@ class Tree {
 
  private:
   Tree(const Spec& spec, Objective objective, const BoundOptions& options, const Trials* trials,
-       std::shared_ptr<Ground> ground)
+       std::shared_ptr<Shared> shared)
       : spec_(spec), options_(options), trials_(trials), objective_(objective),
-        by_size_(objective == Objective::size), ground_(std::move(ground)),
-        designs_(spec, by_size_, options, trials, ground_->poles) {}
+        by_size_(objective == Objective::size), shared_(std::move(shared)),
+        designs_(spec, by_size_, options, trials, shared_->poles) {}
 
   /// The bound of designs that need not keep the limit on the load error: another tree goes on with the boxes that only this limit rules
   /// out or makes less promising. Nothing if it was stopped.
@@ -78,7 +78,7 @@ class Tree {
     options.boxes = BoundOptions{}.boxes;
     options.load_limit = false;
     options.progress = {};
-    Tree tree(spec_, objective_, options, nullptr, ground_);
+    Tree tree(spec_, objective_, options, nullptr, shared_);
     for (auto open = open_; !open.empty(); open.pop()) tree.open_without_loads(open.top());
     for (const TreeNode& node : left_to_loads_) tree.open_without_loads(node);
     tree.grow_until(options.tolerance);
@@ -91,10 +91,10 @@ class Tree {
     if (node.bound < designs_.best()) open_.push(std::move(node));
   }
 
-  const Branch& branch_of(const TreeNode& node) const { return ground_->branches[node.branch]; }
+  const Branch& branch_of(const TreeNode& node) const { return shared_->branches[node.branch]; }
   const ModeFacts& mode_of(const TreeNode& node) const { return branch_of(node).mode; }
   bounding::ObstacleTest* obstacles_of(const TreeNode& node) const {
-    return sees_obstacles() ? ground_->obstacle_tests[node.branch].get() : nullptr;
+    return sees_obstacles() ? shared_->obstacle_tests[node.branch].get() : nullptr;
   }
 
   const bounding::LoadFloor* loads_of(const TreeNode& node) const {
@@ -129,7 +129,7 @@ class Tree {
       if (opened_ % told_every == 0) tell_progress(tolerance);
       TreeNode node = open_.top();
       open_.pop();
-      if (options_.self_contact && !ground_->cuts.rule_out(node, branch_of(node), boxes_)) continue;
+      if (options_.self_contact && !shared_->cuts.rule_out(node, branch_of(node), boxes_)) continue;
       if (!rule_out_by_obstacles(node, false)) continue;
       if (++opened_ <= 100 || opened_ % 8 == 0)
         designs_.try_in(node, branch_of(node), obstacles_of(node),
@@ -161,15 +161,15 @@ class Tree {
           trials_ != nullptr ? std::optional(sag_counts(spec_.limits)) : std::nullopt);
       for (const AssemblyMode& mode : assembly_modes(shape_of(spec_.copy.k(), grounding))) {
         if (options_.stop()) return false;
-        ground_->branches.push_back(bounding::make_branch(spec_, grounding, mode, layers, options_.shortest));
+        shared_->branches.push_back(bounding::make_branch(spec_, grounding, mode, layers, options_.shortest));
         if (sees_loads()) {
-          load_floors_.emplace_back(spec_, ground_->branches.back().mode);
-          load_trades_.emplace_back(spec_, ground_->branches.back().mode);
+          load_floors_.emplace_back(spec_, shared_->branches.back().mode);
+          load_trades_.emplace_back(spec_, shared_->branches.back().mode);
         }
       }
     }
     if (sees_obstacles()) set_up_obstacle_tests();
-    for (std::size_t branch = 0; branch < ground_->branches.size(); ++branch) {
+    for (std::size_t branch = 0; branch < shared_->branches.size(); ++branch) {
       if (options_.stop()) return false;
       plant(branch);
     }
@@ -177,16 +177,16 @@ class Tree {
   }
 
   void plant(std::size_t branch) {
-    const ModeFacts& a = ground_->branches[branch].mode;
+    const ModeFacts& a = shared_->branches[branch].mode;
     if (a.a.empty() || a.b.empty() || a.allowed.empty()) return;
     TreeNode root;
     root.branch = branch;
-    ground_->poles.plant(root);
+    shared_->poles.plant(root);
     root.lengths = {{a.b.lower / a.a.upper * 0.999, a.b.upper / a.a.lower * 1.001},
                     {2 * a.a.lower * a.b.lower * 0.999, 2 * a.a.upper * a.b.upper * 1.001}};
-    root.alive = bounding::LayerSet::all(ground_->branches[branch].layers.size());
-    if (sees_obstacles()) root.alive.remove(ground_->obstacle_tests[branch]->hit_by_the_copy());
-    if (!root.alive.empty() && ground_->poles.measure(root)) grow_from(root);
+    root.alive = bounding::LayerSet::all(shared_->branches[branch].layers.size());
+    if (sees_obstacles()) root.alive.remove(shared_->obstacle_tests[branch]->hit_by_the_copy());
+    if (!root.alive.empty() && shared_->poles.measure(root)) grow_from(root);
   }
 
   /// Shrinks, bounds and keeps a box, or drops it.
@@ -206,7 +206,7 @@ class Tree {
       return;
     }
     if (sees_loads()) raise_by_loads(node);
-    if (!ground_->cuts.repeat(node, branch_of(node)) ||
+    if (!shared_->cuts.repeat(node, branch_of(node)) ||
         (node.sight.hit && !rule_out_by_obstacles(node, true)))
       return;
     open_.push(std::move(node));
@@ -234,21 +234,21 @@ class Tree {
   /// One for each branch.
   void set_up_obstacle_tests() {
     const auto scene = bounding::obstacle_scene(spec_, options_.stop);
-    ground_->obstacle_tests.resize(ground_->branches.size());
-    run_parallel(ground_->branches.size(), options_.threads, [&](std::size_t branch) {
+    shared_->obstacle_tests.resize(shared_->branches.size());
+    run_parallel(shared_->branches.size(), options_.threads, [&](std::size_t branch) {
       std::vector<LayerAssignment> layers;
-      for (const bounding::LayerCandidate& choice : ground_->branches[branch].layers)
+      for (const bounding::LayerCandidate& choice : shared_->branches[branch].layers)
         layers.push_back(choice.layers);
-      ground_->obstacle_tests[branch] = std::make_unique<bounding::ObstacleTest>(
-          spec_, ground_->branches[branch].mode, layers, scene, options_.stop);
+      shared_->obstacle_tests[branch] = std::make_unique<bounding::ObstacleTest>(
+          spec_, shared_->branches[branch].mode, layers, scene, options_.stop);
     });
   }
 
   /// Drops layer assignments in which every design of the box has a part in an obstacle, body or the table's edge; false if none is left.
   bool rule_out_by_obstacles(TreeNode& node, bool only_where_last) {
     if (!sees_obstacles()) return true;
-    if (!only_where_last) boxes_ += ground_->obstacle_tests[node.branch]->cost(node.sight);
-    node.alive = ground_->obstacle_tests[node.branch]->not_hit(design_box(node), node.alive, node.sight,
+    if (!only_where_last) boxes_ += shared_->obstacle_tests[node.branch]->cost(node.sight);
+    node.alive = shared_->obstacle_tests[node.branch]->not_hit(design_box(node), node.alive, node.sight,
                                                                only_where_last);
     return !node.alive.empty();
   }
@@ -273,7 +273,7 @@ class Tree {
     TreeNode fixed = node;
     fixed.x.lower = fixed.x.upper = node.pole().x();
     fixed.y.lower = fixed.y.upper = node.pole().y();
-    if (node.pole_is_known() || !ground_->poles.measure_distances(fixed)) return 1;
+    if (node.pole_is_known() || !shared_->poles.measure_distances(fixed)) return 1;
     if (!bounding::contract(mode_of(node), fixed.distances, designs_.transmission(), fixed.lengths)) return 1;
     if (bound_of(fixed) > node.bound) return 1;
     // Where all designs of a box have no opening in common, nothing is said of their contact.
@@ -304,7 +304,7 @@ class Tree {
       part(lower).upper = middle;
       part(upper).lower = middle;
       for (TreeNode* half : {&lower, &upper})
-        if (widest == width.t || widest == width.w || ground_->poles.measure(*half)) grow_from(*half);
+        if (widest == width.t || widest == width.w || shared_->poles.measure(*half)) grow_from(*half);
     };
     if (widest == width.t)
       return halve([](TreeNode& n) -> Range& { return n.lengths.t; },
@@ -358,7 +358,7 @@ class Tree {
   const Trials* trials_;  // absent: designs of the relaxation are as good as any
   Objective objective_;
   bool by_size_;
-  std::shared_ptr<Ground> ground_;
+  std::shared_ptr<Shared> shared_;
   std::vector<bounding::LoadFloor> load_floors_;  // one a branch, if loads are to be seen
   std::vector<bounding::LoadTrade> load_trades_;  // the same
   std::vector<TreeNode> left_to_loads_;           // of a search: boxes that only the load limit rules out
