@@ -19,7 +19,7 @@
 
 namespace kempe {
 
-/// How to work, for design() and map().
+/// How to work, for design(), map(), front(), sketch() and generate_function().
 struct Options {
   std::uint64_t seed = 1;  ///< same spec and seed, same design, bit for bit
   int threads = 1;         ///< 0 and less count as 1; the design does not depend on it
@@ -95,7 +95,8 @@ class KEMPE_EXPORT FinishedDesign {
   /// No design for the spec can be better than this, mm (size) or rad (transmission): proven, rounded outwards with the slack
   /// that docs/proven-bound.md states. Absent for other objectives, and where nothing is proven.
   std::optional<double> proven_bound() const;
-  bool complete() const;  ///< false: the search was stopped early, a better design may exist
+  bool complete()
+      const;  ///< false: the search was stopped early, a better design may exist; of the map see Map::complete()
 
   /// Where the six points are when the tracer stands at a place, mm; or why it cannot be reached (on the pole: too near). In
   /// closed form (docs/notation.md). Contact plays no part: see Map::at().
@@ -172,7 +173,7 @@ class Outcome {
 KEMPE_EXPORT Outcome design(const Spec& spec, const Options& options = {});
 
 /// The map of the mechanism that Spec::mechanism gives, among the spec's obstacles (docs/workspace-map.md). The limits are not required of it: the
-/// map says where they are kept. Of the options seed, threads, progress and diagnose play no part. Where the spec gives no
+/// map says where they are kept. Of the options seed, threads and diagnose play no part. Where the spec gives no
 /// mechanism, or an area for its pole, fault() says so.
 KEMPE_EXPORT Outcome map(const Spec& spec, const Options& options = {});
 
@@ -185,8 +186,8 @@ struct FrontPoint {
 
 /// A front, from the best in the first objective to the best in the second.
 struct Front {
-  std::vector<FrontPoint> points;              ///< in that order
-  bool complete = true;                        ///< false: stopped early, points are missing
+  std::vector<FrontPoint> points;  ///< in that order
+  bool complete = true;  ///< false: stopped early; points are missing, or a map is coarser than asked for
   Objective first = Objective::size;           ///< of FrontPoint::first
   Objective second = Objective::transmission;  ///< of FrontPoint::second
 };

@@ -25,6 +25,7 @@ struct DrawingOptions {
   std::function<bool()> stop{};  ///< true ends it; asked at every pose, in the thread that copies
 };
 
+/// The paper that drawings are printed on.
 enum class Paper {
   A4,  ///< 210 x 297 mm
   A3   ///< 297 x 420 mm

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// The whole library: design synthesis for copying linkages.
+/// The whole library: copying linkages designed, mapped, verified and written; any planar linkage moved; generators; calibration.
 ///
 /// Lengths are millimetres and angles radians everywhere; places are in the table's frame. A function never throws for what
 /// a spec, a file or a folder may be: the answer says it. There is no global state.
@@ -17,6 +17,7 @@
 #include "kempe/verify.hpp"
 #include "kempe/write.hpp"
 
+/// Design synthesis for copying linkages.
 namespace kempe {
 
 /// Units: lengths are millimetres and angles radians, always. Multiply a number by these, or by rad and degree (kempe/point.hpp), to say

@@ -15,6 +15,7 @@ enum class Joint { V, A, B, C, X, Y };
 
 /// The four moving links, in the order of every array over links.
 enum class Link { VA, VB, ACX, BCY };
+/// The four, in that order.
 inline constexpr std::array<Link, 4> all_links{Link::VA, Link::VB, Link::ACX, Link::BCY};
 
 /// A grounding, named after what stands at the parallelogram's vertex V.

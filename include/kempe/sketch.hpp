@@ -34,7 +34,7 @@ class KEMPE_EXPORT Sketch {
   OpeningInterval opening() const;    ///< certified usable opening, rad
   double size() const;                ///< mm, half the perimeters of the links' hulls, summed
   double transmission_min() const;    ///< rad, smallest over the region
-  double value() const;               ///< of the spec's objective: mm, rad (transmission) or mm^2 (footprint)
+  double value() const;  ///< of the spec's objective: mm, rad (transmission), mm^2 (footprint) or kg (mass)
   /// Where the six points are when the tracer stands at a place, mm; or why it cannot be reached (on the pole: too near).
   std::variant<Pose, Unreachable> pose_with_tracer_at(const Point& tracer) const;
 
@@ -55,7 +55,7 @@ class KEMPE_EXPORT Sketch {
 
 /// The sketch of a spec from that of one that differs a little. Where nothing is found the next call goes on from the last design
 /// that was, and looks at one more choice of grounding, assembly mode and layers each time. Lengths of a grid or a stock, locked
-/// lengths and robust designs are not sketched: the answer is then without a design, without a proof that there is none, and
+/// lengths, a choice of several sections and robust designs are not sketched: the answer is then without a design, without a proof that there is none, and
 /// without a fault. Of the options only time limit and stop play a part. The same arguments give the same sketch, unless
 /// stopped. Source: docs/search.md, "Sketches".
 KEMPE_EXPORT Sketch sketch(const Spec& spec, const Sketch& previous, const Options& options = {});

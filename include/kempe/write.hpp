@@ -76,7 +76,7 @@ enum class ClaimedBound {
 /// The design that the text of a design.json states, of whatever origin; `name` stands for the file in messages. It is verified as
 /// verify() does; task, mechanism and the record of the search are the text's; all else is computed anew.
 /// Errors: what cannot be read; a limit that does not hold, by its key. `stop`: asked often; once true the map stays as coarse as it is
-/// (complete() is false), and a bound whose proof is not finished is left out.
+/// (Map::complete() is false), and a bound whose proof is not finished is left out.
 KEMPE_EXPORT std::variant<FinishedDesign, InputError> restore(std::string_view json,
                                                               const std::string& name = "",
                                                               ClaimedBound bound = ClaimedBound::prove,

@@ -17,7 +17,7 @@
 namespace kempe {
 namespace {
 
-/// True of what a local solution cannot keep: stock lengths, and limits for every instrument within the tolerances.
+/// True of what a local solution cannot keep or choose: stock lengths, one of several sections, and limits for every instrument within the tolerances.
 bool only_searched(const Spec& spec) {
   return has_stock_lengths(spec) || asks_for_robust(spec) || spec.links.sections.size() > 1;
 }
