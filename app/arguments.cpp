@@ -19,13 +19,15 @@ std::vector<std::string> command_names(const CLI::App& program) {
 /// Longer words are shown and compared by their beginning.
 constexpr std::size_t longest_word = 60;
 
-/// A word where a command should stand.
-InputError unknown_command(const std::string& word, const std::vector<std::string>& commands) {
+/// A word where a command should stand; the program's footer says what it was built without.
+InputError unknown_command(const std::string& word, const std::vector<std::string>& commands,
+                           const std::string& footer) {
   const auto meant =
       nearest(std::string_view(word).substr(0, longest_word), {commands.begin(), commands.end()});
-  return {"", 0, printable(word, longest_word), "no such command",
-          meant ? fmt::format("did you mean {}?", *meant)
-                : fmt::format("there are {}", fmt::join(commands, ", "))};
+  return {
+      "", 0, printable(word, longest_word), "no such command",
+      meant ? fmt::format("did you mean {}?", *meant)
+            : fmt::format("there are {}{}{}", fmt::join(commands, ", "), footer.empty() ? "" : ". ", footer)};
 }
 
 InputError bad_option(const std::string& command, const CLI::ParseError& error) {
@@ -38,7 +40,7 @@ InputError fault_of(const CLI::App& program, const std::vector<std::string>& wor
   if (words.size() < 2) return {"", 0, "", "no command", "see kempe --help"};
   if (words[1].starts_with("-")) return {"", 0, words[1], "no such option", "see kempe --help"};
   const bool known = std::find(commands.begin(), commands.end(), words[1]) != commands.end();
-  return known ? bad_option(words[1], error) : unknown_command(words[1], commands);
+  return known ? bad_option(words[1], error) : unknown_command(words[1], commands, program.get_footer());
 }
 
 }  // namespace

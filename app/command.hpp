@@ -4,41 +4,15 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
-#include <functional>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
 
+#include "app/session.hpp"
 #include "kempe/input_error.hpp"
 
 namespace kempe::app {
-
-enum ExitCode : int {
-  done = 0,
-  failed = 1,
-  bad_input = 2,
-  no_design = 3,  ///< none exists
-  verification_failed = 4,
-  cannot_write = 5,
-  stopped = 6,  ///< by a limit of time or work, before an answer: nothing found, nothing proven
-  interrupted = 130
-};
-
-/// An input's text that came in a message, as TOML; `name` stands for the file that there is not.
-struct GivenText {
-  std::string name, text;
-};
-
-/// What every command shares: the options --json and --quiet, and the run that the arguments chose.
-struct Session {
-  bool json = false;
-  bool quiet = false;
-  bool both = false;               ///< with json: what a person would read goes to stderr
-  std::optional<GivenText> given;  ///< read in place of the file of its name; its lines nobody sees
-  std::function<int()> chosen;     ///< set by the sub-command's callback; returns an ExitCode
-};
 
 /// Adds a sub-command with the shared options; `example` closes its --help.
 CLI::App* add_command(CLI::App& program, Session& session, const std::string& name,
@@ -57,10 +31,7 @@ int fail(const Session& session, const InputError& error);
 /// The object that the latter prints.
 std::string faults_json(const InputError& error);
 
-/// Prints "kempe: MESSAGE" to stderr and returns the code: for a command that has printed its answer.
-int fail_told(ExitCode code, const std::string& message);
-
-/// The same as a note, which changes nothing of the outcome.
+/// Prints "kempe: MESSAGE" to stderr as a note, which changes nothing of the outcome.
 void say(const std::string& message);
 
 /// The text of an input file, or the one given in its place.

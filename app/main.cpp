@@ -6,8 +6,8 @@
 #include <csignal>
 #include <cstdio>
 
-#include "app/command.hpp"
 #include "app/program.hpp"
+#include "app/session.hpp"
 
 namespace {
 

@@ -1,13 +1,16 @@
 #include "app/program.hpp"
 
 #include <exception>
+#include <memory>
 #include <sstream>
 #include <utility>
 
 #include "app/all_commands.hpp"
 #include "app/arguments.hpp"
+#include "app/command.hpp"
 
 namespace kempe::app {
+namespace {
 
 std::unique_ptr<CLI::App> bare_program() {
   auto program = std::make_unique<CLI::App>(
@@ -18,9 +21,14 @@ std::unique_ptr<CLI::App> bare_program() {
 }
 
 void add_commands(CLI::App& program, Session& session) {
-  for (const AddCommand add : all_commands)
-    if (add != nullptr) add(program, session);
+  for (const AddCommand add : design_commands) add(program, session);
+  for (const AddCommand add : other_commands()) add(program, session);
+  if (other_commands().empty())
+    program.footer(
+        "This program only makes and uses designs; scripts/build makes the one with all commands.");
 }
+
+}  // namespace
 
 int run_program(const std::vector<std::string>& words, Session& session) {
   const auto program = bare_program();

@@ -1,18 +1,12 @@
 #pragma once
-// The program as one call: its commands, and the run that the words of a command line choose.
+// The program as one call.
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "app/command.hpp"
-
 namespace kempe::app {
 
-/// The program without commands.
-std::unique_ptr<CLI::App> bare_program();
-/// Adds every command.
-void add_commands(CLI::App& program, Session& session);
+struct Session;
 
 /// Runs what the words say, the program's name first; returns the exit code. Nothing is thrown. What was printed may wait in
 /// stdout's buffer.

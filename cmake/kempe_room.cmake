@@ -1,5 +1,6 @@
 # kempe_room(NAME SOURCES ... USES ... [PRIVATE_USES ...] [JOINED ...])
-# One room of the house: the static library kempe_NAME (alias kempe::NAME), its warnings and its include roots.
+# One room of the house, or a part of one that others do without: the static library kempe_NAME (alias kempe::NAME), its
+# warnings and its include roots.
 function(kempe_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PRIVATE_USES;JOINED" ${ARGN})
   add_library(kempe_${name} STATIC ${ROOM_SOURCES})
@@ -10,6 +11,7 @@ function(kempe_room name)
   target_include_directories(kempe_${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(kempe_${name} PUBLIC ${ROOM_USES} kempe_libm PRIVATE ${ROOM_PRIVATE_USES})
   kempe_warnings(kempe_${name})
+  target_compile_options(kempe_${name} PRIVATE $<$<BOOL:${KEMPE_LIGHT}>:-O1>)
   kempe_whole_folders(kempe_${name} ${ROOM_JOINED})
   # No contraction: a compiler for a machine with fused multiply-add rounds every product as the others do, so that the same
   # spec gives the same bytes there.
@@ -76,6 +78,7 @@ function(kempe_warnings target)
     $<$<BOOL:${KEMPE_UNITY}>:-Wno-shadow>
     $<$<AND:$<BOOL:${KEMPE_UNITY}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
     $<$<BOOL:${KEMPE_WERROR}>:-Werror>
+    $<$<AND:$<BOOL:${KEMPE_LIGHT}>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>  # without the passes that would see more
     # What g++ 12 finds after inlining is often false: told, but no error.
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-error=maybe-uninitialized;-Wno-error=array-bounds;-Wno-error=stringop-overflow;-Wno-error=stringop-overread;-Wno-error=dangling-pointer;-Wno-error=free-nonheap-object>")
 endfunction()

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/all_commands.hpp"
+#include "app/command.hpp"
 #include "app/interrupt.hpp"
 #include "app/output_check.hpp"
 #include "app/progress.hpp"

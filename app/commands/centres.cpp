@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/all_commands.hpp"
+#include "app/command.hpp"
 #include "app/interrupt.hpp"
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"

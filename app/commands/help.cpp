@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/all_commands.hpp"
+#include "app/command.hpp"
 #include "app/manual/completion.hpp"
 #include "app/manual/pages.hpp"
 #include "reports/data/atomic_file.hpp"

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/all_commands.hpp"
+#include "app/command.hpp"
 #include "kempe/spec.hpp"
 #include "reports/data/atomic_file.hpp"
 #include "specs/key_checks.hpp"

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/all_commands.hpp"
+#include "app/command.hpp"
 #include "app/mcp/server.hpp"
 #include "specs/text/printable.hpp"
 

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/all_commands.hpp"
+#include "app/command.hpp"
 #include "app/interrupt.hpp"
 #include "app/linkage_run.hpp"
 #include "reports/linkages/json.hpp"

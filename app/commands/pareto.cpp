@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "app/all_commands.hpp"
+#include "app/command.hpp"
 #include "app/design_run.hpp"
 #include "app/output_check.hpp"
 #include "app/progress.hpp"

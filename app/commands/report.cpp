@@ -4,6 +4,7 @@
 
 #include "app/all_commands.hpp"
 #include "app/broken_design.hpp"
+#include "app/command.hpp"
 #include "app/design_run.hpp"
 #include "app/stopping.hpp"
 #include "app/studio_page.hpp"

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/all_commands.hpp"
+#include "app/command.hpp"
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
 #include "app/words.hpp"

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/all_commands.hpp"
+#include "app/command.hpp"
 #include "app/design_run.hpp"
 #include "app/output_check.hpp"
 #include "app/studio_page.hpp"

@@ -11,6 +11,7 @@
 #include "app/all_commands.hpp"
 #include "app/batch/batch.hpp"
 #include "app/batch/task_spec.hpp"
+#include "app/command.hpp"
 #include "app/design_run.hpp"
 #include "app/progress.hpp"
 #include "app/stopping.hpp"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/all_commands.hpp"
+#include "app/command.hpp"
 #include "app/output_check.hpp"
 #include "app/words.hpp"
 #include "geometry/regions/region_checks.hpp"

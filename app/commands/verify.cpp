@@ -8,6 +8,7 @@
 
 #include "app/all_commands.hpp"
 #include "app/broken_design.hpp"
+#include "app/command.hpp"
 #include "app/own_files.hpp"
 #include "reports/audit/design_audit.hpp"
 #include "reports/certificate.hpp"

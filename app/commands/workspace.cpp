@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/all_commands.hpp"
+#include "app/command.hpp"
 #include "app/design_run.hpp"
 #include "app/stopping.hpp"
 #include "app/studio_page.hpp"
