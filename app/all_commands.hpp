@@ -19,6 +19,7 @@ void add_verify_command(CLI::App& program, Session& session);
 void add_trace_command(CLI::App& program, Session& session);
 void add_pareto_command(CLI::App& program, Session& session);
 void add_studio_command(CLI::App& program, Session& session);
+void add_help_command(CLI::App& program, Session& session);
 void add_solve_command(CLI::App& program, Session& session);
 void add_mobility_command(CLI::App& program, Session& session);
 void add_centres_command(CLI::App& program, Session& session);
@@ -27,13 +28,12 @@ void add_function_command(CLI::App& program, Session& session);
 void add_inversor_command(CLI::App& program, Session& session);
 void add_path_command(CLI::App& program, Session& session);
 void add_mcp_command(CLI::App& program, Session& session);
-void add_help_command(CLI::App& program, Session& session);
 
 using AddCommand = void (*)(CLI::App&, Session&);
 
 // A command a line, so that adding one adds one line.
 // clang-format off
-/// Those that make and use a design: every program has them.
+/// Those that make and use a design: every program has them, and help.
 inline constexpr AddCommand design_commands[] = {
     add_init_command,
     add_synthesize_command,

@@ -1,6 +1,6 @@
 #pragma once
-// A command of the program: it declares its arguments and, once chosen, runs. To add one, write its file and add a
-// line to all_commands.hpp.
+// A command of the program: it declares its arguments and, once chosen, runs. To add one, write its file, declare it in
+// all_commands.hpp and add its line there or in other_commands.cpp.
 
 #include <CLI/CLI.hpp>
 #include <cstdint>

@@ -4,8 +4,6 @@
 
 namespace kempe::app {
 
-std::span<const AddCommand> other_commands() {
-  return {};
-}
+std::span<const AddCommand> other_commands() { return {}; }
 
 }  // namespace kempe::app

@@ -16,14 +16,11 @@ constexpr AddCommand commands[] = {
     add_inversor_command,
     add_path_command,
     add_mcp_command,
-    add_help_command,
 };
 // clang-format on
 
 }  // namespace
 
-std::span<const AddCommand> other_commands() {
-  return commands;
-}
+std::span<const AddCommand> other_commands() { return commands; }
 
 }  // namespace kempe::app

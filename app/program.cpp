@@ -23,6 +23,7 @@ std::unique_ptr<CLI::App> bare_program() {
 void add_commands(CLI::App& program, Session& session) {
   for (const AddCommand add : design_commands) add(program, session);
   for (const AddCommand add : other_commands()) add(program, session);
+  add_help_command(program, session);
   if (other_commands().empty())
     program.footer(
         "This program only makes and uses designs; scripts/build makes the one with all commands.");

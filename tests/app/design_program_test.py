@@ -19,7 +19,7 @@ def commands(program):
 
 
 own, all_commands = commands(DESIGN), commands(WHOLE)
-assert own == ["init", "synthesize", "workspace", "report", "verify", "trace", "pareto", "studio"], own
+assert own == ["init", "synthesize", "workspace", "report", "verify", "trace", "pareto", "studio", "help"], own
 assert set(own) < set(all_commands), all_commands
 assert "scripts/build" in run(DESIGN, "--help").stdout
 assert "scripts/build" not in run(WHOLE, "--help").stdout
