@@ -53,10 +53,10 @@ function(kempe_whole_folders target)
 endfunction()
 
 # kempe_lightly_optimised(TARGET): with KEMPE_UNITY a target that only reads options and writes files, or only asks others (a
-# test), is compiled with -O1, which takes a third less time. No number changes: these options leave floating-point arithmetic
-# alone.
+# test), is compiled with -O1, which takes a third less time; with KEMPE_LIGHT with -Og, which takes a fifth less than that. No
+# number changes: these options leave floating-point arithmetic alone.
 function(kempe_lightly_optimised target)
-  target_compile_options(${target} PRIVATE $<$<BOOL:${KEMPE_UNITY}>:-O1>)
+  target_compile_options(${target} PRIVATE $<$<BOOL:${KEMPE_UNITY}>:$<IF:$<BOOL:${KEMPE_LIGHT}>,-Og,-O1>>)
 endfunction()
 
 # kempe_common_headers(TARGET): with KEMPE_UNITY the headers that nearly every test includes are compiled once for all tests of
