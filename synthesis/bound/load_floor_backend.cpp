@@ -124,7 +124,7 @@ bool LoadFloor::exceeded_by_all(const PoleDistances& distances, const LengthBox&
 bool LoadFloor::keeps(const BarLengths& lengths, const OpeningInterval& openings) const {
   for (const double opening : {openings.lower, openings.upper})
     if (!(profile_.at(lengths, opening).worst <= limit_)) return false;
-  return profile_.over(lengths, openings).worst <= limit_;
+  return profile_.worst_over(lengths, openings) <= limit_;
 }
 
 }  // namespace kempe::bounding

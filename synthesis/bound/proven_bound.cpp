@@ -131,13 +131,18 @@ class Tree {
       open_.pop();
       if (options_.self_contact && !shared_->cuts.rule_out(node, branch_of(node), boxes_)) continue;
       if (!rule_out_by_obstacles(node, false)) continue;
-      if (++opened_ <= 100 || opened_ % 8 == 0)
-        designs_.try_in(node, branch_of(node), obstacles_of(node),
-                        loads_of(node));  // often at first, when the boxes are still many
+      if (are_tried(++opened_)) designs_.try_in(node, branch_of(node), obstacles_of(node), loads_of(node));
       if (sees_obstacles() && opened_ % looked_further_every == 0)
         obstacles_of(node)->look_further(design_box(node), node.alive);
       split(node);
     }
+  }
+
+  /// Whether designs of a box are tried: often at first, when the boxes are still many; but seldom where the search has a design already
+  /// and asks what the load limit costs, as most of them are too soft then.
+  bool are_tried(std::size_t opened) const {
+    const bool is_seldom = sees_loads() && trials_ == nullptr && options_.incumbent;
+    return opened % 8 == 0 || (opened <= 100 && !is_seldom);
   }
 
   static bounding::DesignBox design_box(const TreeNode& node) {

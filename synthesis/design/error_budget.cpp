@@ -50,8 +50,7 @@ struct Measured {
     const CopyingLinkage& linkage = design.linkage;
     return LoadErrorProfile(linkage.k(), linkage.grounding(), style, *design.material,
                             most_force_at_pen(*design.load), pins)
-        .over({linkage.VA(), linkage.VB()}, openings)
-        .worst;
+        .worst_over({linkage.VA(), linkage.VB()}, openings);
   }
   PinCompliance pins(const LinkStyle& style, const JointHardware& hardware) const {
     return pin_compliance(design.linkage.grounding(), design.layers, style, hardware);

@@ -150,12 +150,19 @@ LoadErrorJet LoadErrorProfile::worst(const BarLengths& lengths, double opening, 
   return jet;
 }
 
+double LoadErrorProfile::worst_opening(const BarLengths& lengths, const OpeningInterval& openings) const {
+  return top_over(openings, [&](double opening) { return at(lengths, opening).worst; });
+}
+
 LoadErrorProfile::Range LoadErrorProfile::over(const BarLengths& lengths,
                                                const OpeningInterval& openings) const {
-  const double worst_opening = top_over(openings, [&](double opening) { return at(lengths, opening).worst; });
-  const double least_opening =
-      top_over(openings, [&](double opening) { return -at(lengths, opening).least; });
-  return {at(lengths, worst_opening).worst, at(lengths, least_opening).least, worst_opening, least_opening};
+  const double worst = worst_opening(lengths, openings);
+  const double least = top_over(openings, [&](double opening) { return -at(lengths, opening).least; });
+  return {at(lengths, worst).worst, at(lengths, least).least, worst, least};
+}
+
+double LoadErrorProfile::worst_over(const BarLengths& lengths, const OpeningInterval& openings) const {
+  return at(lengths, worst_opening(lengths, openings)).worst;
 }
 
 LoadErrorProfile load_error_profile(const Spec& spec, Complex k, Grounding grounding) {

@@ -81,6 +81,8 @@ class LoadErrorProfile {
     double worst, least, worst_opening, least_opening;
   };
   Range over(const BarLengths& lengths, const OpeningInterval& openings) const;
+  /// Of these the worst alone, in half the time.
+  double worst_over(const BarLengths& lengths, const OpeningInterval& openings) const;
 
  private:
   /// The sums T and D of the header, mm/N for a force at Y.
@@ -89,6 +91,7 @@ class LoadErrorProfile {
     Complex difference;
   };
   Compliance compliance(const BarLengths& lengths, double opening) const;
+  double worst_opening(const BarLengths& lengths, const OpeningInterval& openings) const;
   template <class Buckets, class Forces>
   Buckets sums_of(const Forces& forces) const;
 

@@ -41,11 +41,13 @@ void report(const SearchTask& task, std::size_t searched, std::size_t all) {
                           : fmt::format("searching; {} obstacles out of reach are left out", left_out));
 }
 
-/// The next choices that are searched at once. Under a limit on the load error, which makes each search long, the most promising one
-/// comes alone, as with what it found most of the others are left out; and none that has yet to be relaxed under it, unless it comes first.
-std::span<Prospect> next_group(const SearchTask& task, std::span<Prospect> rest, bool is_first,
+/// The next choices that are searched at once, after `searched` others. Under a limit on the load error, which makes each search long, the
+/// most promising ones come alone, as with what they found most of the others are left out; and none that has yet to be relaxed under it,
+/// unless it comes first.
+std::span<Prospect> next_group(const SearchTask& task, std::span<Prospect> rest, std::size_t searched,
                                const ChoiceResult& best) {
-  const std::size_t most = task.limits.load_error && is_first ? 1 : task.budgets().group;
+  const SearchBudgets& budgets = task.budgets();
+  const std::size_t most = task.limits.load_error && searched < budgets.alone_under_load ? 1 : budgets.group;
   std::size_t size = 1;
   while (size < std::min(most, rest.size()) && !(rest[size].lacks_load_limit && may_beat(rest[size], best)))
     ++size;
@@ -60,7 +62,7 @@ SearchResult best_by(const Strategy& strategy, const SearchTask& task,
   while (searched < order.size() && !task.stopped()) {
     const std::span<Prospect> rest = std::span(order).subspan(searched);
     best.evaluations += relax_under_load(task, rest, best.result);
-    const std::span<Prospect> group = next_group(task, rest, searched == 0, best.result);
+    const std::span<Prospect> group = next_group(task, rest, searched, best.result);
     const std::vector<ChoiceResult> found = search_group(strategy, task, group, best.result);
     for (std::size_t i = 0; i < group.size(); ++i) strategy.certify(task, group[i], found[i], best);
     report(task, searched += group.size(), order.size());

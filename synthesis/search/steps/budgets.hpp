@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "kempe/point.hpp"
 
@@ -41,6 +42,8 @@ struct ChoiceBudget {
   int evaluations = 200;    ///< points that the global search over lengths and poles looks at
   int starts = 6;           ///< local solutions
   int starts_if_none = 16;  ///< local solutions while none is feasible
+  /// The same from starts that are known: all of them, if not stated.
+  int known_starts_if_none = std::numeric_limits<int>::max();
   /// Local solutions no better than those before, after which a choice is left under a limit on the load error and without
   /// obstacles: the limit makes each solution longer, and the best start is nearly always among the first.
   int fruitless_under_load = 2;
@@ -52,6 +55,12 @@ struct ChoiceBudgets {
   /// poles, which have been looked at already.
   ChoiceBudget relaxed_fixed_pole{.lattice = 20, .evaluations = 60};
   ChoiceBudget relaxed_free_pole{.lattice = 8, .evaluations = 60};
+  /// The same with the limit on the load error, where the best design without it is known and is the first start. Many a choice has no
+  /// stiff design: fewer starts tell so.
+  ChoiceBudget relaxed_fixed_pole_under_load{
+      .lattice = 10, .evaluations = 60, .starts_if_none = 6, .known_starts_if_none = 6};
+  ChoiceBudget relaxed_free_pole_under_load{
+      .lattice = 8, .evaluations = 60, .starts_if_none = 6, .known_starts_if_none = 6};
   /// With contact.
   ChoiceBudget fixed_pole{.lattice = 20};
   ChoiceBudget free_pole{.lattice = 8, .evaluations = 300};
@@ -65,7 +74,8 @@ struct ChoiceBudgets {
   ChoiceBudget locked_obstacles{.poles = 16, .evaluations = 60, .starts = 3, .starts_if_none = 8};
   ChoiceBudget locked_footprint{.poles = 4, .evaluations = 40, .starts = 1, .starts_if_none = 1};
 
-  const ChoiceBudget& without_contact(bool pole_is_free) const {
+  const ChoiceBudget& without_contact(bool pole_is_free, bool under_load) const {
+    if (under_load) return pole_is_free ? relaxed_free_pole_under_load : relaxed_fixed_pole_under_load;
     return pole_is_free ? relaxed_free_pole : relaxed_fixed_pole;
   }
   const ChoiceBudget& with_contact(bool pole_is_free, bool has_obstacles) const {
@@ -190,6 +200,8 @@ struct SearchBudgets {
   /// Group size: choices searched in parallel. Pruning uses the results of earlier groups only, so it is fixed and not the
   /// number of threads.
   std::size_t group = 4;
+  /// Choices searched one by one before the first group, under a limit on the load error: a design found spares most of the others.
+  std::size_t alone_under_load = 2;
   ProofBudget proof{};
   TreeBudget tree{};
   PoleBudget pole{};

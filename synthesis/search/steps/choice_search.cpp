@@ -106,9 +106,11 @@ ChoiceResult search_choice(const DesignProblem& problem, const ChoiceOptions& op
     evaluations += found.evaluations;
     if (better(found, best)) best = found;
   };
+  int hints_tried = 0;
   for (const DesignPoint& hint : options.hints) {
-    if (options.stop()) break;
+    if (options.stop() || (!best.feasible && hints_tried == options.budget.known_starts_if_none)) break;
     try_from(hint);
+    ++hints_tried;
   }
   if (!is_done(best, options) && !options.stop()) {
     int tried = 0, fruitless = 0;

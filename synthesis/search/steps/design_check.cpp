@@ -37,8 +37,7 @@ void measure_over_openings(const Spec& spec, const CopyingLinkage& linkage, cons
         copy_error_profile(linkage, CopyTolerance::uniform(*spec.tolerance)).largest(needed).worst.worst;
   if (spec.load && spec.material)
     attained.load_error = load_error_profile(spec, linkage.k(), linkage.grounding())
-                              .over({linkage.VA(), linkage.VB()}, needed)
-                              .worst;
+                              .worst_over({linkage.VA(), linkage.VB()}, needed);
   if (spec.limits.sag && spec.material)
     attained.sag = largest_sag(linkage, sag_conditions(spec, layers), needed).sag.most();
 }

@@ -34,25 +34,30 @@ std::vector<std::vector<std::size_t>> alike_in(const std::vector<Prospect>& pros
   return groups;
 }
 
-/// Solves the problem without contact, also from `hints`.
-void relax_one(const SearchTask& task, Prospect& prospect, const std::vector<DesignPoint>& hints = {}) {
+/// Solves the problem without contact. `without_load`: what it comes to without the limit on the load error.
+void relax_one(const SearchTask& task, Prospect& prospect, const ChoiceResult* without_load = nullptr) {
   const Subproblem& sub = prospect.subproblem;
   const DesignProblem problem(task.space(), sub.choice->choice, task.limits, task.goal, sub.allowed, {});
   prospect.poles = promising_poles(problem, task.budgets().pole, task.budgets().local, task.stop());
-  ChoiceOptions options =
-      choice_options(task, task.budgets().choice.without_contact(task.space().layout().pole_is_free));
+  ChoiceOptions options = choice_options(
+      task,
+      task.budgets().choice.without_contact(task.space().layout().pole_is_free, without_load != nullptr));
+  if (without_load) {
+    options.hints.push_back(without_load->point);
+    options.bound = without_load->cost;
+  }
   for (const Point& pole : prospect.poles)
     for (const double of_lambda : {0.0, 1.0})
       options.hints.push_back({problem.unit_lengths(pole, of_lambda, 0), pole});
   options.hints.insert(options.hints.end(), prospect.known.begin(), prospect.known.end());
-  options.hints.insert(options.hints.end(), hints.begin(), hints.end());
   prospect.relaxed = search_choice(problem, options);
 }
 
 /// With the limit on the load error, for all that differ from the first in their layers alone.
 void relax_first_under_load(const SearchTask& task, std::span<Prospect> order) {
   Prospect& first = order.front();
-  relax_one(task, first, {first.relaxed.point});
+  const ChoiceResult without_load = first.relaxed;
+  relax_one(task, first, &without_load);
   first.lacks_load_limit = false;
   for (Prospect& other : order.subspan(1))
     if (other.lacks_load_limit && are_alike(other.subproblem, first.subproblem)) {

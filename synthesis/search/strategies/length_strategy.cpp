@@ -24,6 +24,8 @@ ChoiceResult search_lengths(const SearchTask& task, const Prospect& prospect, co
     options.bound = prospect.relaxed.cost;
   }
   options.hints.insert(options.hints.end(), prospect.known.begin(), prospect.known.end());
+  // Many a choice has no stiff design. Where another one has, fewer starts are enough to tell.
+  if (task.limits.load_error && best.feasible) options.budget.starts_if_none = options.budget.starts;
   return search_choice(*prospect.subproblem.problem, options);
 }
 

@@ -203,6 +203,7 @@ TEST(LoadError, OverAnIntervalIsThatOfItsWorstOpening) {
     }
     EXPECT_GE(range.worst, worst * (1 - 1e-9));
     EXPECT_LE(range.worst, worst * (1 + 1e-4));
+    EXPECT_EQ(one.profile().worst_over(one.lengths, openings), range.worst);
     EXPECT_LE(range.least, least + 1e-9 * worst);
     EXPECT_TRUE(openings.contains(range.worst_opening) && openings.contains(range.least_opening));
   }

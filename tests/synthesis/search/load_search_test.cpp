@@ -12,6 +12,8 @@
 #include "synthesis/search/search.hpp"
 #include "synthesis/search/section_search.hpp"
 #include "synthesis/search/steps/design_check.hpp"
+#include "tests/samples.hpp"
+#include "tests/synthesis/search_specimens.hpp"
 #include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
 
@@ -42,8 +44,7 @@ double load_error_of(const Spec& spec, const FoundDesign& design) {
   const auto openings = openings_over(design.linkage, spec.region);
   EXPECT_TRUE(openings);
   return load_error_profile(spec, design.linkage.k(), design.linkage.grounding())
-      .over({design.linkage.VA(), design.linkage.VB()}, *openings)
-      .worst;
+      .worst_over({design.linkage.VA(), design.linkage.VB()}, *openings);
 }
 
 TEST(LoadSearch, KeepsALimitThatBinds) {
@@ -101,8 +102,7 @@ TEST(LoadSearch, FindsNothingWorseThanAGridOfLengths) {
   const double stiffest =
       best_on_a_grid(spec, [&](const CopyingLinkage& linkage, const OpeningInterval& openings) {
         return load_error_profile(spec, linkage.k(), linkage.grounding())
-            .over({linkage.VA(), linkage.VB()}, openings)
-            .worst;
+            .worst_over({linkage.VA(), linkage.VB()}, openings);
       });
   const FoundDesign found = design_for(spec);
   EXPECT_LE(found.value, stiffest);
@@ -113,13 +113,46 @@ TEST(LoadSearch, FindsNothingWorseThanAGridOfLengths) {
   const double lightest =
       best_on_a_grid(spec, [&](const CopyingLinkage& linkage, const OpeningInterval& openings) {
         const double error = load_error_profile(spec, linkage.k(), linkage.grounding())
-                                 .over({linkage.VA(), linkage.VB()}, openings)
-                                 .worst;
+                                 .worst_over({linkage.VA(), linkage.VB()}, openings);
         return error <= *spec.limits.load_error ? mass_of_links(linkage, spec) : HUGE_VAL;
       });
   const FoundDesign light = design_for(spec);
   EXPECT_LE(light.value, lightest);
   EXPECT_GE(light.value, 0.9 * lightest);
+}
+
+/// Under the limit few starts tell that a choice has no stiff design, and few bring what there is.
+TEST(LoadSearch, FewStartsFindWhatManyDo) {
+  SearchOptions few, many;
+  few.diagnose = many.diagnose = false;
+  ChoiceBudgets& choice = many.budgets.choice;
+  for (ChoiceBudget* one : {&choice.relaxed_fixed_pole_under_load, &choice.relaxed_free_pole_under_load,
+                            &choice.fixed_pole, &choice.free_pole}) {
+    one->lattice = 20;
+    one->starts = one->starts_if_none = one->known_starts_if_none = one->fruitless_under_load = 24;
+  }
+  many.budgets.alone_under_load = 0;
+  test::SpecDice dice(59);
+  int compared = 0;
+  for (int i = 0; i < test::samples(20); ++i) {
+    Spec spec = dice.spec();
+    spec.material = as_material(*material_named("steel"));
+    spec.load = Load{10};
+    if (i % 3 == 0) spec.objective.objective = Objective::transmission;
+    const SearchOutcome free = synthesize(spec, few);
+    const auto* without = std::get_if<FoundDesign>(&free);
+    if (!without || !(without->attained.load_error < HUGE_VAL)) continue;
+    spec.limits.load_error = dice.uniform(0.7, 0.98) * without->attained.load_error;
+    const SearchOutcome from_few = synthesize(spec, few), from_many = synthesize(spec, many);
+    const auto *found = std::get_if<FoundDesign>(&from_few), *best = std::get_if<FoundDesign>(&from_many);
+    ASSERT_EQ(found != nullptr, best != nullptr) << i;
+    if (!found) continue;
+    ++compared;
+    EXPECT_LE(found->attained.load_error, *spec.limits.load_error * (1 + 1e-12)) << i;
+    const double sign = is_maximized(spec.objective.objective) ? -1 : 1;
+    EXPECT_LE(sign * found->value, sign * best->value + 1e-6 * std::abs(best->value)) << i;
+  }
+  EXPECT_GT(compared, test::expected(6));
 }
 
 TEST(LoadSearch, TakesTheLightestSectionThatKeepsTheError) {
