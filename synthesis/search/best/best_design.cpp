@@ -1,6 +1,7 @@
 // tree                  among obstacles and beside bodies: the bound's tree as the search (tree_search.hpp); where it leaves nothing, that is all
 // prove                 the bound's tree: it proves that there is no design, or gives places to start from
-// relax                 every choice without contact: an order, and what to prune by; at first without a limit on the load error, too
+// relax                 every choice without contact: an order, and what to prune by; at first without a limit on the load error, too;
+//                       where none that is left keeps it, a proof is asked for that no design does
 // for group in order    of fixed size, so that threads change nothing
 //   search              in parallel; a choice that cannot beat what earlier groups found is left out
 //   certify             every limit anew; a miss adds a place or tightens a limit, then again; the best is kept
@@ -47,33 +48,58 @@ void report(const SearchTask& task, std::size_t searched, std::size_t all) {
 std::span<Prospect> next_group(const SearchTask& task, std::span<Prospect> rest, std::size_t searched,
                                const ChoiceResult& best) {
   const SearchBudgets& budgets = task.budgets();
-  const std::size_t most = task.limits.load_error && searched < budgets.alone_under_load ? 1 : budgets.group;
+  const bool alone = task.limits.load_error && searched < budgets.choice.under_load.alone;
+  const std::size_t most = alone ? 1 : budgets.group;
   std::size_t size = 1;
   while (size < std::min(most, rest.size()) && !(rest[size].lacks_load_limit && may_beat(rest[size], best)))
     ++size;
   return rest.first(size);
 }
 
+/// Whether it is proven that no design keeps the limit on the load error beside the others.
+bool none_keeps_loads(const SearchTask& task) {
+  if (!task.limits.load_error || task.goal == Goal::pole_margin || task.limits.pole_margin > 0) return false;
+  const auto proof = proven_bound(spec_for_tree(task), Objective::size,
+                                  {.boxes = task.budgets().proof.boxes_under_load,
+                                   .load_limit = true,
+                                   .shortest = task.limits.shortest,
+                                   .stop = task.stop()});
+  return proof && proof->no_design;
+}
+
+bool has_any(const Incumbent& best) { return best.result.feasible || best.design; }
+
+/// `asks_for_proof`: where nothing is found, that no design keeps the limit on the load error; asked once, as soon as no choice that is left
+/// keeps it without contact.
 SearchResult best_by(const Strategy& strategy, const SearchTask& task,
-                     const std::vector<RelaxedDesign>& known) {
+                     const std::vector<RelaxedDesign>& known, bool asks_for_proof) {
   Incumbent best;
   std::vector<Prospect> order = strategy.relax(task, known, best);
   std::size_t searched = 0;
   while (searched < order.size() && !task.stopped()) {
     const std::span<Prospect> rest = std::span(order).subspan(searched);
     best.evaluations += relax_under_load(task, rest, best.result);
+    if (asks_for_proof && !has_any(best) && !rest.front().relaxed.feasible) {
+      asks_for_proof = false;
+      if (none_keeps_loads(task)) return {.proven_none = true, .evaluations = best.evaluations};
+    }
     const std::span<Prospect> group = next_group(task, rest, searched, best.result);
     const std::vector<ChoiceResult> found = search_group(strategy, task, group, best.result);
     for (std::size_t i = 0; i < group.size(); ++i) strategy.certify(task, group[i], found[i], best);
     report(task, searched += group.size(), order.size());
   }
   strategy.finish(task, best);
-  return {.design = best.design, .stopped = task.stopped(), .evaluations = best.evaluations};
+  const bool proven_none = asks_for_proof && !best.design && !task.stopped() && none_keeps_loads(task);
+  return {.design = best.design,
+          .stopped = task.stopped(),
+          .proven_none = proven_none,
+          .evaluations = best.evaluations};
 }
 
 /// The best with any lengths. Among obstacles, where there are stock lengths to come, by the tree if it closes.
-SearchResult best_of_any_lengths(const SearchTask& task, const std::vector<RelaxedDesign>& known) {
-  if (!has_stock_lengths(task.spec())) return best_by(strategy_for(task.goal), task, known);
+SearchResult best_of_any_lengths(const SearchTask& task, const std::vector<RelaxedDesign>& known,
+                                 bool asks_for_proof) {
+  if (!has_stock_lengths(task.spec())) return best_by(strategy_for(task.goal), task, known, asks_for_proof);
   const SearchTask in_part = task.control.has_time_limit()
                                  ? task.with(task.control.part_of_time(task.budgets().time.any_lengths))
                                  : task;
@@ -83,7 +109,7 @@ SearchResult best_of_any_lengths(const SearchTask& task, const std::vector<Relax
                        task.goal};
   SearchResult by_tree = suits_tree_search(any) ? best_by_tree(any) : SearchResult{};
   if (by_tree.exhausted || by_tree.proven_none) return by_tree;
-  SearchResult found = best_by(strategy_for(task.goal), in_part, known);
+  SearchResult found = best_by(strategy_for(task.goal), in_part, known, asks_for_proof);
   keep_better(task.goal, by_tree.design, found.design);
   found.evaluations += by_tree.evaluations;
   return found;
@@ -98,25 +124,11 @@ std::optional<double> bound_of(Goal goal, const FirstLook& look, const std::opti
   return bound;
 }
 
-/// Whether it is proven that no design keeps the limit on the load error beside the others. Asked where none was found: it costs as much
-/// as a first proof.
-bool none_keeps_loads(const SearchTask& task) {
-  if (!task.limits.load_error || task.goal == Goal::pole_margin || task.limits.pole_margin > 0) return false;
-  const auto proof = proven_bound(spec_for_tree(task), Objective::size,
-                                  {.boxes = task.budgets().proof.boxes,
-                                   .load_limit = true,
-                                   .shortest = task.limits.shortest,
-                                   .stop = task.stop()});
-  return proof && proof->no_design;
-}
-
-/// After a first look, which may be empty.
-SearchResult best_by_choices(const SearchTask& task, const FirstLook& look) {
+/// After a first look, which may be empty. `asks_for_proof`: of the limit on the load error, as in best_by.
+SearchResult best_by_choices(const SearchTask& task, const FirstLook& look, bool asks_for_proof) {
   const auto proof = look.proof_is_whole ? look.proof : prove(task, task.stop());
   if (proof && proof->no_design) return {.proven_none = true};
-  SearchResult found = best_of_any_lengths(task, starts_of(proof));
-  if (!found.design && !found.stopped && none_keeps_loads(task))
-    return {.proven_none = true, .evaluations = found.evaluations};
+  SearchResult found = best_of_any_lengths(task, starts_of(proof), asks_for_proof);
   if (found.proven_none) return {.proven_none = true, .evaluations = found.evaluations};
   const bool stopped = found.stopped;
   if (found.design && has_stock_lengths(task.spec())) found = best_with_stock_lengths(task, found);
@@ -134,16 +146,17 @@ SearchResult best_by_choices(const SearchTask& task, const FirstLook& look) {
 
 SearchResult best_by_choices(const SearchTask& asked) {
   const SearchTask task = posed_for_its_limits(asked);
-  return best_by_choices(task, first_look(task));
+  return best_by_choices(task, first_look(task), false);
 }
 
 SearchResult best_design(const SearchTask& asked) {
   const SearchTask task = posed_for_its_limits(asked);
   const FirstLook look = first_look(task);
-  if (!suits_tree_search(task) || (look.proof && look.proof->no_design)) return best_by_choices(task, look);
+  if (!suits_tree_search(task) || (look.proof && look.proof->no_design))
+    return best_by_choices(task, look, true);
   SearchResult by_tree = best_by_tree(task);
   if (by_tree.exhausted || by_tree.proven_none) return by_tree;
-  SearchResult found = best_by_choices(task, look);
+  SearchResult found = best_by_choices(task, look, true);
   keep_better(task.goal, by_tree.design, found.design);
   found.evaluations += by_tree.evaluations;
   if (found.design) {

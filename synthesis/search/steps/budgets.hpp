@@ -5,6 +5,7 @@
 // machine. The exception are the shares of a time limit, which are asked for only where there is one. With these the designs
 // of some thousand random specs lay within 0.1 % of their proven bound in 97 of 100 cases (docs/search.md).
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +19,8 @@ namespace kempe {
 struct ProofBudget {
   /// Boxes of the bound's tree: some tenths of a second at most. Less, and specs without a design are searched in vain.
   std::size_t boxes = 20000;
+  /// The same with the limit on the load error, of which it is asked only where nothing was found: mostly tenths of a second, at worst two seconds.
+  std::size_t boxes_under_load = 200'000;
 };
 
 /// Of the search by the bound's tree, among obstacles (tree_search.hpp).
@@ -44,9 +47,19 @@ struct ChoiceBudget {
   int starts_if_none = 16;  ///< local solutions while none is feasible
   /// The same from starts that are known: all of them, if not stated.
   int known_starts_if_none = std::numeric_limits<int>::max();
-  /// Local solutions no better than those before, after which a choice is left under a limit on the load error and without
-  /// obstacles: the limit makes each solution longer, and the best start is nearly always among the first.
-  int fruitless_under_load = 2;
+};
+
+/// What a limit on the load error changes. It makes each local solution longer, the best start is nearly always among the first, and many a
+/// choice has no stiff design: few starts tell so.
+struct LoadBudget {
+  int lattice =
+      10;  ///< at most, without contact: the best design without the limit is known and is the first start
+  /// Local solutions while none is feasible, without contact: so many from starts that are known, and so many from others.
+  int starts_if_none = 6;
+  /// Local solutions no better than those before, after which a choice is left; without obstacles.
+  int fruitless = 2;
+  /// Choices searched one by one before the first group: a design found spares most of the others.
+  std::size_t alone = 2;
 };
 
 /// The choices' budgets by what makes them hard.
@@ -55,12 +68,6 @@ struct ChoiceBudgets {
   /// poles, which have been looked at already.
   ChoiceBudget relaxed_fixed_pole{.lattice = 20, .evaluations = 60};
   ChoiceBudget relaxed_free_pole{.lattice = 8, .evaluations = 60};
-  /// The same with the limit on the load error, where the best design without it is known and is the first start. Many a choice has no
-  /// stiff design: fewer starts tell so.
-  ChoiceBudget relaxed_fixed_pole_under_load{
-      .lattice = 10, .evaluations = 60, .starts_if_none = 6, .known_starts_if_none = 6};
-  ChoiceBudget relaxed_free_pole_under_load{
-      .lattice = 8, .evaluations = 60, .starts_if_none = 6, .known_starts_if_none = 6};
   /// With contact.
   ChoiceBudget fixed_pole{.lattice = 20};
   ChoiceBudget free_pole{.lattice = 8, .evaluations = 300};
@@ -73,14 +80,26 @@ struct ChoiceBudgets {
   ChoiceBudget locked{.poles = 16, .evaluations = 100, .starts = 3, .starts_if_none = 8};
   ChoiceBudget locked_obstacles{.poles = 16, .evaluations = 60, .starts = 3, .starts_if_none = 8};
   ChoiceBudget locked_footprint{.poles = 4, .evaluations = 40, .starts = 1, .starts_if_none = 1};
+  LoadBudget under_load{};
 
-  const ChoiceBudget& without_contact(bool pole_is_free, bool under_load) const {
-    if (under_load) return pole_is_free ? relaxed_free_pole_under_load : relaxed_fixed_pole_under_load;
+  ChoiceBudget without_contact(bool pole_is_free) const {
     return pole_is_free ? relaxed_free_pole : relaxed_fixed_pole;
   }
-  const ChoiceBudget& with_contact(bool pole_is_free, bool has_obstacles) const {
+  ChoiceBudget without_contact_under_load(bool pole_is_free) const {
+    ChoiceBudget budget = without_contact(pole_is_free);
+    budget.lattice = std::min(budget.lattice, under_load.lattice);
+    budget.starts_if_none = budget.known_starts_if_none = under_load.starts_if_none;
+    return budget;
+  }
+  ChoiceBudget with_contact(bool pole_is_free, bool has_obstacles) const {
     if (has_obstacles) return pole_is_free ? free_pole_obstacles : fixed_pole_obstacles;
     return pole_is_free ? free_pole : fixed_pole;
+  }
+  /// Where another choice has a stiff design, fewer starts are enough.
+  ChoiceBudget beside_a_stiff_design(bool pole_is_free, bool has_obstacles) const {
+    ChoiceBudget budget = with_contact(pole_is_free, has_obstacles);
+    budget.starts_if_none = budget.starts;
+    return budget;
   }
   const ChoiceBudget& with_locked_lengths(bool of_footprint, bool has_obstacles) const {
     if (of_footprint) return locked_footprint;
@@ -200,8 +219,6 @@ struct SearchBudgets {
   /// Group size: choices searched in parallel. Pruning uses the results of earlier groups only, so it is fixed and not the
   /// number of threads.
   std::size_t group = 4;
-  /// Choices searched one by one before the first group, under a limit on the load error: a design found spares most of the others.
-  std::size_t alone_under_load = 2;
   ProofBudget proof{};
   TreeBudget tree{};
   PoleBudget pole{};

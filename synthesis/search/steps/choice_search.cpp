@@ -115,7 +115,7 @@ ChoiceResult search_choice(const DesignProblem& problem, const ChoiceOptions& op
   if (!is_done(best, options) && !options.stop()) {
     int tried = 0, fruitless = 0;
     const int most_fruitless = problem.has_load_limit() && !problem.has_obstacles()
-                                   ? options.budget.fruitless_under_load
+                                   ? options.fruitless_under_load
                                    : options.budget.starts;
     for (const Start& start : starts_of(problem, options, evaluations)) {
       if (options.stop() || (best.feasible && (tried >= options.budget.starts ||

@@ -39,9 +39,10 @@ void relax_one(const SearchTask& task, Prospect& prospect, const ChoiceResult* w
   const Subproblem& sub = prospect.subproblem;
   const DesignProblem problem(task.space(), sub.choice->choice, task.limits, task.goal, sub.allowed, {});
   prospect.poles = promising_poles(problem, task.budgets().pole, task.budgets().local, task.stop());
-  ChoiceOptions options = choice_options(
-      task,
-      task.budgets().choice.without_contact(task.space().layout().pole_is_free, without_load != nullptr));
+  const ChoiceBudgets& budgets = task.budgets().choice;
+  const bool pole_is_free = task.space().layout().pole_is_free;
+  ChoiceOptions options = choice_options(task, without_load ? budgets.without_contact_under_load(pole_is_free)
+                                                            : budgets.without_contact(pole_is_free));
   if (without_load) {
     options.hints.push_back(without_load->point);
     options.bound = without_load->cost;

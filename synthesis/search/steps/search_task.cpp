@@ -20,6 +20,7 @@ bool has_stock_lengths(const Spec& spec) {
 ChoiceOptions choice_options(const SearchTask& task, const ChoiceBudget& budget) {
   return {.budget = budget,
           .local = task.budgets().local,
+          .fruitless_under_load = task.budgets().choice.under_load.fruitless,
           .seed = task.control.options().seed,
           .stop = task.stop()};
 }

@@ -17,15 +17,17 @@ std::vector<Prospect> relax_lengths(const SearchTask& task, const std::vector<Re
 ChoiceResult search_lengths(const SearchTask& task, const Prospect& prospect, const ChoiceResult& best) {
   if (!may_beat(prospect, best)) return no_result();
   const bool has_obstacles = !task.space().obstacles().empty();
-  ChoiceOptions options = choice_options(
-      task, task.budgets().choice.with_contact(task.space().layout().pole_is_free, has_obstacles));
+  const bool pole_is_free = task.space().layout().pole_is_free;
+  const ChoiceBudgets& budgets = task.budgets().choice;
+  ChoiceOptions options =
+      choice_options(task, task.limits.load_error && best.feasible
+                               ? budgets.beside_a_stiff_design(pole_is_free, has_obstacles)
+                               : budgets.with_contact(pole_is_free, has_obstacles));
   if (prospect.relaxed.feasible) {
     options.hints = {prospect.relaxed.point};
     options.bound = prospect.relaxed.cost;
   }
   options.hints.insert(options.hints.end(), prospect.known.begin(), prospect.known.end());
-  // Many a choice has no stiff design. Where another one has, fewer starts are enough to tell.
-  if (task.limits.load_error && best.feasible) options.budget.starts_if_none = options.budget.starts;
   return search_choice(*prospect.subproblem.problem, options);
 }
 

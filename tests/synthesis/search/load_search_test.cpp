@@ -126,12 +126,12 @@ TEST(LoadSearch, FewStartsFindWhatManyDo) {
   SearchOptions few, many;
   few.diagnose = many.diagnose = false;
   ChoiceBudgets& choice = many.budgets.choice;
-  for (ChoiceBudget* one : {&choice.relaxed_fixed_pole_under_load, &choice.relaxed_free_pole_under_load,
-                            &choice.fixed_pole, &choice.free_pole}) {
+  for (ChoiceBudget* one :
+       {&choice.relaxed_fixed_pole, &choice.relaxed_free_pole, &choice.fixed_pole, &choice.free_pole}) {
     one->lattice = 20;
-    one->starts = one->starts_if_none = one->known_starts_if_none = one->fruitless_under_load = 24;
+    one->starts = one->starts_if_none = one->known_starts_if_none = 24;
   }
-  many.budgets.alone_under_load = 0;
+  choice.under_load = {.lattice = 20, .starts_if_none = 24, .fruitless = 24, .alone = 0};
   test::SpecDice dice(59);
   int compared = 0;
   for (int i = 0; i < test::samples(20); ++i) {
@@ -153,6 +153,32 @@ TEST(LoadSearch, FewStartsFindWhatManyDo) {
     EXPECT_LE(sign * found->value, sign * best->value + 1e-6 * std::abs(best->value)) << i;
   }
   EXPECT_GT(compared, test::expected(6));
+}
+
+/// Where no choice keeps the limit even without contact, the proof that none can comes before the search of the choices.
+TEST(LoadSearch, ProvesThatNoneIsStiffBeforeItSearches) {
+  SearchOptions usual, thorough;
+  usual.diagnose = thorough.diagnose = false;
+  thorough.budgets.choice.fixed_pole.starts_if_none = 60;
+  thorough.budgets.choice.free_pole.starts_if_none = 60;
+  test::SpecDice dice(61);
+  int proven = 0;
+  for (int i = 0; i < test::samples(12); ++i) {
+    Spec spec = dice.spec();
+    spec.material = as_material(*material_named("steel"));
+    spec.load = Load{10};
+    const SearchOutcome free = synthesize(spec, usual);
+    const auto* without = std::get_if<FoundDesign>(&free);
+    if (!without || !(without->attained.load_error < HUGE_VAL)) continue;
+    spec.limits.load_error = 0.01 * without->attained.load_error;
+    const SearchOutcome outcome = synthesize(spec, usual), again = synthesize(spec, thorough);
+    const auto *none = std::get_if<NoDesign>(&outcome), *none_again = std::get_if<NoDesign>(&again);
+    ASSERT_EQ(none != nullptr, none_again != nullptr) << i;
+    if (!none || !none->proven) continue;
+    ++proven;
+    EXPECT_EQ(none->evaluations, none_again->evaluations) << i;
+  }
+  EXPECT_GT(proven, test::expected(3));
 }
 
 TEST(LoadSearch, TakesTheLightestSectionThatKeepsTheError) {

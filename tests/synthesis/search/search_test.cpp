@@ -151,11 +151,10 @@ SearchOptions hurried() {
   SearchOptions options = quick();
   SearchBudgets& budgets = options.budgets;
   budgets.group = 1;
-  for (ChoiceBudget* one :
-       {&budgets.choice.relaxed_fixed_pole, &budgets.choice.relaxed_free_pole,
-        &budgets.choice.relaxed_fixed_pole_under_load, &budgets.choice.relaxed_free_pole_under_load,
-        &budgets.choice.fixed_pole, &budgets.choice.free_pole})
+  for (ChoiceBudget* one : {&budgets.choice.relaxed_fixed_pole, &budgets.choice.relaxed_free_pole,
+                            &budgets.choice.fixed_pole, &budgets.choice.free_pole})
     *one = {.poles = 1, .lattice = 2, .evaluations = 4, .starts = 1, .starts_if_none = 1};
+  budgets.choice.under_load.starts_if_none = 1;
   budgets.proof.boxes = 1;
   budgets.improve.hops = budgets.improve.searches = 0;
   return options;
