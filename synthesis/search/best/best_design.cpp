@@ -156,7 +156,7 @@ SearchResult best_design(const SearchTask& asked) {
     return best_by_choices(task, look, true);
   SearchResult by_tree = best_by_tree(task);
   if (by_tree.exhausted || by_tree.proven_none) return by_tree;
-  SearchResult found = best_by_choices(task, look, true);
+  SearchResult found = best_by_choices(task, look, !by_tree.design);
   keep_better(task.goal, by_tree.design, found.design);
   found.evaluations += by_tree.evaluations;
   if (found.design) {

@@ -19,7 +19,7 @@ namespace kempe {
 struct ProofBudget {
   /// Boxes of the bound's tree: some tenths of a second at most. Less, and specs without a design are searched in vain.
   std::size_t boxes = 20000;
-  /// The same with the limit on the load error, of which it is asked only where nothing was found: mostly tenths of a second, at worst two seconds.
+  /// The same with the limit on the load error, of which it is asked only where nothing was found: at worst two seconds.
   std::size_t boxes_under_load = 200'000;
 };
 
@@ -52,8 +52,8 @@ struct ChoiceBudget {
 /// What a limit on the load error changes. It makes each local solution longer, the best start is nearly always among the first, and many a
 /// choice has no stiff design: few starts tell so.
 struct LoadBudget {
-  int lattice =
-      10;  ///< at most, without contact: the best design without the limit is known and is the first start
+  /// At most, without contact: the best design without the limit is known and is the first start.
+  int lattice = 10;
   /// Local solutions while none is feasible, without contact: so many from starts that are known, and so many from others.
   int starts_if_none = 6;
   /// Local solutions no better than those before, after which a choice is left; without obstacles.

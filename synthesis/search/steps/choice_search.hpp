@@ -8,7 +8,7 @@ namespace kempe {
 struct ChoiceOptions {
   ChoiceBudget budget{};
   LocalBudget local{};
-  int fruitless_under_load = LoadBudget{}.fruitless;
+  int fruitless_under_load = LoadBudget{}.fruitless;  ///< LoadBudget::fruitless
   std::uint64_t seed = 1;
   std::vector<DesignPoint> hints{};  ///< further starts, tried first
   /// No cost below this is possible: a result that reaches it ends the search.

@@ -121,6 +121,12 @@ TEST(LoadSearch, FindsNothingWorseThanAGridOfLengths) {
   EXPECT_GE(light.value, 0.9 * lightest);
 }
 
+Spec in_steel(Spec spec) {
+  spec.material = as_material(*material_named("steel"));
+  spec.load = Load{10};
+  return spec;
+}
+
 /// Under the limit few starts tell that a choice has no stiff design, and few bring what there is.
 TEST(LoadSearch, FewStartsFindWhatManyDo) {
   SearchOptions few, many;
@@ -135,9 +141,7 @@ TEST(LoadSearch, FewStartsFindWhatManyDo) {
   test::SpecDice dice(59);
   int compared = 0;
   for (int i = 0; i < test::samples(20); ++i) {
-    Spec spec = dice.spec();
-    spec.material = as_material(*material_named("steel"));
-    spec.load = Load{10};
+    Spec spec = in_steel(dice.spec());
     if (i % 3 == 0) spec.objective.objective = Objective::transmission;
     const SearchOutcome free = synthesize(spec, few);
     const auto* without = std::get_if<FoundDesign>(&free);
@@ -164,9 +168,7 @@ TEST(LoadSearch, ProvesThatNoneIsStiffBeforeItSearches) {
   test::SpecDice dice(61);
   int proven = 0;
   for (int i = 0; i < test::samples(12); ++i) {
-    Spec spec = dice.spec();
-    spec.material = as_material(*material_named("steel"));
-    spec.load = Load{10};
+    Spec spec = in_steel(dice.spec());
     const SearchOutcome free = synthesize(spec, usual);
     const auto* without = std::get_if<FoundDesign>(&free);
     if (!without || !(without->attained.load_error < HUGE_VAL)) continue;
