@@ -3,8 +3,9 @@
 // usage: kempe_load_limit_bench [--seeds COUNT] [--rounds COUNT] [--share SHARE ...] [SPEC.toml | SPECS.jsonl ...]
 // SHARE: the limit, times the load error of the design that is best without one (0.98 and 0.9).
 // SPECS.jsonl: a spec a line, as random_specs.py leaves them in its folder.
-// For each spec and seed one line: CPU time without and with, their ratio, what both designs come to. At the end, of those that keep the
-// limit: the median ratio, the largest, how many are within 1.5, and all time with the limit over all without.
+// For each spec and seed one line: CPU time without and with, their ratio, what both designs come to; where no design keeps the limit, whether
+// that is proven (why there is none is not asked). At the end, of those with a design, of those where it is proven that there is none, and
+// of those where none was found: the median ratio, the largest, how many are within 1.5, and all time with the limit over all without.
 
 #include <fmt/format.h>
 
@@ -13,7 +14,6 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -43,11 +43,21 @@ Timed searched(const Spec& spec, std::uint64_t seed) {
   SearchOptions options;
   options.seed = seed;
   options.threads = 1;
+  options.diagnose = false;
   SearchOutcome outcome = synthesize(spec, options);
   return {std::move(outcome), cpu_seconds() - begin};
 }
 
 const FoundDesign* design_in(const Timed& timed) { return std::get_if<FoundDesign>(&timed.outcome); }
+
+/// What a search with the limit comes to.
+enum class End { design, proven_none, none_found };
+
+End end_of(const Timed& timed) {
+  if (design_in(timed)) return End::design;
+  const auto* none = std::get_if<NoDesign>(&timed.outcome);
+  return none != nullptr && none->proven ? End::proven_none : End::none_found;
+}
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -83,38 +93,45 @@ std::vector<NamedSpec> specs_in(const std::filesystem::path& file) {
 
 struct Cost {
   double without, with;
+  End end = End::none_found;
   double ratio() const { return with / without; }
 };
 
-/// Of one spec with one seed under one limit; nothing where no design keeps it. Prints its line.
-std::optional<Cost> cost_of(const NamedSpec& named, std::uint64_t seed, double share, int rounds,
-                            const FoundDesign& without) {
+/// Of one spec with one seed under one limit. Prints its line.
+Cost cost_of(const NamedSpec& named, std::uint64_t seed, double share, int rounds,
+             const FoundDesign& without) {
   Spec limited = named.spec;
   limited.limits.load_error = share * without.attained.load_error;
   Cost least{HUGE_VAL, HUGE_VAL};
-  std::string found = "none";
+  std::string found;
   for (int round = 0; round < rounds; ++round) {
     least.without = std::min(least.without, searched(named.spec, seed).seconds);
     const Timed timed = searched(limited, seed);
     least.with = std::min(least.with, timed.seconds);
-    if (const FoundDesign* one = design_in(timed)) found = fmt::format("{:.9g}", one->value);
+    least.end = end_of(timed);
+    found = least.end == End::design        ? fmt::format("{:.9g}", design_in(timed)->value)
+            : least.end == End::proven_none ? "none, proven"
+                                            : "none found";
   }
   fmt::print("{:30} seed {} share {:4} {:8.1f} {:8.1f} ms {:5.2f}  {:.9g} {}\n", named.name, seed, share,
              1e3 * least.without, 1e3 * least.with, least.ratio(), without.value, found);
   std::fflush(stdout);
-  return found == "none" ? std::nullopt : std::optional(least);
+  return least;
 }
 
-void print_sum(const std::vector<Cost>& costs) {
+/// Of the costs with one end.
+void print_sum(const std::vector<Cost>& costs, End end, const char* name) {
   std::vector<double> ratios;
   double without = 0, with = 0;
   for (const Cost& cost : costs) {
+    if (cost.end != end) continue;
     ratios.push_back(cost.ratio());
     without += cost.without;
     with += cost.with;
   }
-  fmt::print("of {}: median ratio {:.2f}, most {:.2f}, {} within 1.5; all together {:.2f}\n", costs.size(),
-             median(ratios), *std::max_element(ratios.begin(), ratios.end()),
+  if (ratios.empty()) return;
+  fmt::print("{}, of {}: median ratio {:.2f}, most {:.2f}, {} within 1.5; all together {:.2f}\n", name,
+             ratios.size(), median(ratios), *std::max_element(ratios.begin(), ratios.end()),
              std::count_if(ratios.begin(), ratios.end(), [](double ratio) { return ratio <= 1.5; }),
              with / without);
 }
@@ -128,10 +145,11 @@ int run(int seeds, int rounds, const std::vector<double>& shares, const std::vec
         const Timed first = searched(named.spec, seed);
         const FoundDesign* without = design_in(first);
         if (!without) continue;
-        for (const double share : shares)
-          if (const auto cost = cost_of(named, seed, share, rounds, *without)) costs.push_back(*cost);
+        for (const double share : shares) costs.push_back(cost_of(named, seed, share, rounds, *without));
       }
-  if (!costs.empty()) print_sum(costs);
+  print_sum(costs, End::design, "a design");
+  print_sum(costs, End::proven_none, "proven that there is none");
+  print_sum(costs, End::none_found, "none found");
   return 0;
 }
 
