@@ -138,26 +138,48 @@ void relax_or_leave_out(Questions& questions, Goal goal, std::optional<double> L
                             .design = *design});
 }
 
-/// No search makes the sag small: the design without the limit tells what would do.
+struct Sagging {
+  double sag;  ///< mm, rounded up: a limit that the design keeps
+  FoundDesign design;
+};
+
+/// The best design with a limit on the sag, or with none.
+std::optional<Sagging> with_sag(Questions& questions, std::optional<double> limit) {
+  Spec spec = questions.spec();
+  spec.limits.sag = limit;
+  auto design = questions.best_of(spec);
+  const auto openings = design ? openings_over(design->linkage, spec.region) : std::nullopt;
+  if (!openings) return std::nullopt;
+  const double sag = largest_sag(design->linkage, sag_conditions(spec, design->layers), *openings).sag.most();
+  if (!std::isfinite(sag)) return std::nullopt;
+  return Sagging{rounded_up(sag, questions.unit()), *std::move(design)};
+}
+
+/// No search makes the sag small: the design without the limit tells what would do, and designs with limits halfway there what less would.
 void relax_sag(Questions& questions) {
   const auto demanded = questions.limits().sag;
   if (!demanded || questions.stopped()) return;
   questions.note("limits.sag_mm");
-  Spec spec = questions.spec();
-  spec.limits.sag = std::nullopt;
-  const auto design = questions.best_of(spec);
-  if (design && questions.permits(*design)) return;
-  const auto openings = design ? openings_over(design->linkage, spec.region) : std::nullopt;
-  if (!openings) return;
-  const double sag = largest_sag(design->linkage, sag_conditions(spec, design->layers), *openings).sag.most();
-  if (!std::isfinite(sag)) return;
-  const double possible = rounded_up(sag, questions.unit());
+  const std::uint64_t began = questions.spent();
+  auto enough = with_sag(questions, std::nullopt);
+  double too_little = *demanded;
+  for (int i = 0; enough && i < questions.budget().halvings_of_sag && !questions.has_had_its_share(began);
+       ++i) {
+    if (questions.permits(enough->design)) return;
+    const double middle = rounded_up(0.5 * (too_little + enough->sag), questions.unit());
+    if (middle >= enough->sag) break;
+    if (auto less = with_sag(questions, middle))
+      enough = std::move(less);
+    else
+      too_little = middle;
+  }
+  if (!enough || questions.permits(enough->design)) return;
   questions.keep(
       Relaxation{.key = "limits.sag_mm",
                  .demanded = *demanded,
-                 .possible = possible,
-                 .sentence = length_would_do("limits.sag_mm", *demanded, possible, questions.unit()),
-                 .design = *design,
+                 .possible = enough->sag,
+                 .sentence = length_would_do("limits.sag_mm", *demanded, enough->sag, questions.unit()),
+                 .design = enough->design,
                  .is_least = false});
 }
 

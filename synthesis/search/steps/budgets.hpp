@@ -183,6 +183,7 @@ struct DiagnosisBudget {
   /// Of the way from a part's own size to the thinnest: what is tried under a limit that asks for stiff parts, where the thinnest
   /// is of no avail.
   std::array<double, 4> thinner{0.05, 0.2, 0.4, 0.7};
+  int halvings_of_sag = 3;            ///< of what a limit on the sag has to give: to an eighth
   int pole_digits = 4;                ///< grids that a pole's place is rounded to, each ten times finer
   std::size_t single_obstacles = 12;  ///< looked at one by one; more of them only all together
 };

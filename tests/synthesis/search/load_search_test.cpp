@@ -2,12 +2,14 @@
 // sections against searches with each alone.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "specs/materials.hpp"
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/loads/mass.hpp"
 #include "synthesis/loads/sag.hpp"
+#include "synthesis/search/diagnosis/diagnosis.hpp"
 #include "synthesis/search/diagnosis/relaxations.hpp"
 #include "synthesis/search/search.hpp"
 #include "synthesis/search/section_search.hpp"
@@ -283,13 +285,39 @@ TEST(SagSearch, SaysOfNoLimitThatIsKeptThatItIsInTheWay) {
   }
 }
 
+double sag_of(const Spec& spec, const FoundDesign& design) {
+  const auto openings = openings_over(design.linkage, spec.region);
+  EXPECT_TRUE(openings);
+  return largest_sag(design.linkage, sag_conditions(spec, design.layers), *openings).sag.most();
+}
+
+TEST(SagSearch, NamesLessThanTheSagOfTheDesignWithoutTheLimit) {
+  Spec spec = engraver_with_a_limit_on_sag();
+  spec.objective.groundings = {Grounding::pole, Grounding::pen};
+  spec.limits.sag = std::nullopt;
+  const double free = sag_of(spec, design_for(spec));
+  spec.limits.sag = 1;
+  SearchOptions options;
+  options.budgets.diagnosis.evaluations = 200'000;  // the sag comes first
+  options.budgets.diagnosis.one_limit = 1;
+  const SearchTask task = pose(spec, SearchControl(options));
+  const Diagnosis diagnosis = diagnose(task, {}, {0, 0});
+  const auto& all = diagnosis.none.relaxations;
+  const auto found =
+      std::find_if(all.begin(), all.end(), [](const Relaxation& one) { return one.key == "limits.sag_mm"; });
+  ASSERT_NE(found, all.end());
+  EXPECT_LE(sag_of(spec, found->design), *found->possible);
+  EXPECT_GT(*found->possible, found->demanded);
+  EXPECT_LT(*found->possible, 0.9 * free);
+  spec.limits.sag = found->possible;
+  EXPECT_LE(sag_of(spec, design_for(spec)), *found->possible);  // a search with it finds a design
+}
+
 TEST(SagSearch, ThinnerPartsAreTriedFromThickToThin) {
   Spec spec = plagiograph();
   spec.load->pen_mass = 1;
   const FoundDesign free = design_for(spec);
-  const auto openings = openings_over(free.linkage, spec.region);
-  ASSERT_TRUE(openings);
-  spec.limits.sag = 1.1 * largest_sag(free.linkage, sag_conditions(spec, free.layers), *openings).sag.most();
+  spec.limits.sag = 1.1 * sag_of(spec, free);
   SearchOptions options;
   options.budgets.diagnosis.halvings = 1;
   const SearchTask task = pose(spec, SearchControl(options));
