@@ -206,7 +206,8 @@ class Tree {
     if (node.bound >= designs_.best()) return drop(node, designs_.best());
     node.without_loads = node.bound;
     node.number = boxes_;
-    if (sees_loads() && loads_of(node)->exceeded_by_all(node.distances, node.lengths)) {
+    if (sees_loads() &&
+        loads_of(node)->exceeded_by_all(node.distances, designs_.transmission(), node.lengths)) {
       if (trials_) left_to_loads_.push_back(std::move(node));
       return;
     }

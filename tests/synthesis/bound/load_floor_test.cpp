@@ -96,6 +96,52 @@ TEST(LoadFloor, NoDesignOfABoxGivesWayByLess) {
   EXPECT_GT(nearest, 0.9999);  // a small box's floor is near to what its designs have
 }
 
+TEST(LoadFloor, NoDesignGivesWayByLessWhereItReachesADistance) {
+  test::SpecDice dice(418);
+  double nearest = HUGE_VAL;
+  int bounded = 0;
+  for (int i = 0; i < test::samples(400); ++i) {
+    LoadedBranch one = random_branch(dice);
+    one.spec.limits.load_error = 1e-12;  // a floor below the limit need not be the best one
+    const bounding::ModeFacts& mode = one.branch.mode;
+    const bounding::LoadFloor floor(one.spec, mode);
+    const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(1e3, 1e5),
+                 wide = dice.log_uniform(1e-6, 2);
+    const bounding::LengthBox box{{t, t * (1 + wide)}, {w, w * (1 + wide)}};
+    const double angle = dice.uniform(0.02, 0.2);
+    const bounding::Range usable = mode.usable(angle);
+    if (usable.empty()) continue;
+    for (int j = 0; j < 5; ++j) {
+      const double here = within(dice, box.t), there = within(dice, box.w);
+      const double psi = dice.uniform(usable.lower, usable.upper);
+      const double distance = std::sqrt(there * ((here + 1 / here) / 2 + std::cos(psi))) / mode.chain;
+      const BarLengths lengths{std::sqrt(there / here / 2), std::sqrt(there * here / 2) * std::abs(mode.s)};
+      const double given = by_frame(one, lengths, one.branch.opening_of(psi));
+      const double exactly =
+          floor.at_least_reaching(distance, bounding::LoadFloor::Reaching::exactly, angle, box);
+      EXPECT_LE(exactly, given * (1 + 1e-7)) << i;
+      EXPECT_LE(floor.at_least_reaching(distance * dice.uniform(0.5, 1),
+                                        bounding::LoadFloor::Reaching::at_least, angle, box),
+                given * (1 + 1e-7))
+          << i;
+      bounded += exactly > 0;
+      if (wide < 1e-5) nearest = std::min(nearest, exactly / given);
+    }
+  }
+  EXPECT_GT(bounded, test::expected(1000));
+  EXPECT_GT(nearest, 0.99);
+}
+
+TEST(LoadFloor, ADistanceThatNoDesignOfTheBoxReachesHasNoFloor) {
+  test::SpecDice dice(419);
+  const LoadedBranch one = random_branch(dice);
+  const bounding::LoadFloor floor(one.spec, one.branch.mode);
+  const bounding::LengthBox box{{1, 1.1}, {1000, 1100}};
+  for (const auto reaching :
+       {bounding::LoadFloor::Reaching::exactly, bounding::LoadFloor::Reaching::at_least})
+    EXPECT_EQ(floor.at_least_reaching(1e4 / one.branch.mode.chain, reaching, 0.1, box), infinity);
+}
+
 /// A random design of a branch, and the distances that it covers between two of its openings; no linkage where these are out of order.
 struct DesignAtDistances {
   DesignAtDistances(const LoadedBranch& one, test::SpecDice& dice)
@@ -120,14 +166,19 @@ struct DesignAtDistances {
 
 TEST(LoadFloor, LeavesOutNoBoxWithADesignThatKeepsTheLimit) {
   test::SpecDice dice(416);
-  int left_out = 0, kept = 0;
+  int left_out = 0, without_an_opening = 0, without_a_distance = 0, kept = 0;
   for (int i = 0; i < test::samples(2000); ++i) {
     LoadedBranch one = random_branch(dice);
     const bounding::ModeFacts& mode = one.branch.mode;
     const DesignAtDistances design(one, dice);
     if (!design.linkage) continue;
-    const auto& [t, w, linkage, openings, distances] = design;
-    const double wide = dice.log_uniform(1e-6, 0.3);
+    const auto& [t, w, linkage, openings, covered] = design;
+    // Of all poles of a box less is known than of each.
+    bounding::PoleDistances distances = covered;
+    if (dice.one_in(2)) distances.nearest_at_most *= dice.uniform(1, 1.5);
+    if (dice.one_in(2)) distances.farthest_at_least /= dice.uniform(1, 1.5);
+    distances.squares_at_least = 0;
+    const double wide = dice.log_uniform(1e-6, 1);
     const bounding::LengthBox box{{t / (1 + wide * dice.uniform(0, 1)), t * (1 + wide)},
                                   {w / (1 + wide * dice.uniform(0, 1)), w * (1 + wide)}};
     const double has = load_error_profile(one.spec, one.spec.copy.k(), mode.grounding)
@@ -135,13 +186,19 @@ TEST(LoadFloor, LeavesOutNoBoxWithADesignThatKeepsTheLimit) {
                            .worst;
     one.spec.limits.load_error = has * dice.log_uniform(0.5, 2);
     const bool keeps = has <= *one.spec.limits.load_error;
-    const bool is_left_out = bounding::LoadFloor(one.spec, mode).exceeded_by_all(distances, box);
+    const double angle = dice.uniform(0, 1) * std::min(linkage->transmission_angle(openings.lower),
+                                                       linkage->transmission_angle(openings.upper));
+    const bool is_left_out = bounding::LoadFloor(one.spec, mode).exceeded_by_all(distances, angle, box);
     EXPECT_FALSE(keeps && is_left_out) << i;
     EXPECT_EQ(bounding::LoadFloor(one.spec, mode).keeps({linkage->VA(), linkage->VB()}, openings), keeps);
     left_out += is_left_out;
+    without_an_opening += is_left_out && bounding::passed_by_all(mode, distances, box).empty();
+    without_a_distance += is_left_out && distances.nearest_at_most > distances.farthest_at_least;
     kept += keeps;
   }
   EXPECT_GT(left_out, test::expected(200));
+  EXPECT_GT(without_an_opening, test::expected(50));
+  EXPECT_GT(without_a_distance, test::expected(20));
   EXPECT_GT(kept, test::expected(200));
 }
 
@@ -171,7 +228,8 @@ TEST(LoadTrade, NoBoxWithABetterDesignIsSaidToHaveNone) {
     const bool has_none = bounding::LoadTrade(one.spec, mode).none_better(distances, box, wanted, size);
     EXPECT_FALSE(is_better && has_none) << i;
     without += has_none;
-    beyond_the_floor += has_none && !bounding::LoadFloor(one.spec, mode).exceeded_by_all(distances, box);
+    beyond_the_floor +=
+        has_none && !bounding::LoadFloor(one.spec, mode).exceeded_by_all(distances, wanted, box);
     better += is_better;
   }
   EXPECT_GT(without, test::expected(40));
@@ -254,6 +312,28 @@ TEST(LoadFloor, ALimitThatNoDesignKeepsLeavesNoBox) {
   const auto told = proven_bound(spec);
   ASSERT_TRUE(told);
   EXPECT_FALSE(told->no_design);
+}
+
+/// The pole may stand in the region, so that large boxes have designs without an opening or a distance in common.
+TEST(LoadFloor, FewBoxesProveThatNoDesignIsStiffEnoughRoundAFreePole) {
+  Spec spec;
+  spec.copy = Copy::of(0.62, radians(-107));
+  spec.region = Region{
+      {{{{-95, -97}, {-95, -101}, {-98, -101}, {-98, -97}, {-99, -97}, {-99, -103}, {-94, -103}, {-94, -97}},
+        {}}}};
+  spec.links.style = {.width = 22, .pin_diameter = 12, .thickness = 3};
+  spec.links.layers = 3;
+  spec.links.shortest = 35;
+  spec.links.longest = 600;
+  spec.limits.transmission = radians(30);
+  spec.limits.clearance = 0.2;
+  const SearchOutcome free = synthesize(loaded(spec, 1e6), {});
+  const auto* without = std::get_if<FoundDesign>(&free);
+  ASSERT_NE(without, nullptr);
+  const auto bound = proven_bound(loaded(spec, 0.8 * without->attained.load_error), {.load_limit = true});
+  ASSERT_TRUE(bound);
+  EXPECT_TRUE(bound->no_design);
+  EXPECT_LT(bound->boxes, 20'000u);
 }
 
 }  // namespace
