@@ -48,12 +48,16 @@ class Tree {
   /// Nothing if it was stopped before every grounding was looked at: then nothing is proven of the others.
   std::optional<ProvenBound> grow() {
     if (!plant()) return std::nullopt;
-    grow_until(options_.tolerance);
-    ProvenBound proven = proven_so_far();
+    const double first = trials_ ? std::max(options_.tolerance, trials_->tolerance) : options_.tolerance;
+    grow_until(first);
+    if (trials_ && first > options_.tolerance) leap_to_what_is_left();
+    ProvenBound proven = proven_so_far(first);
     if (trials_ && proven.tight && designs_.best() < infinity) {
       if (sees_loads()) proven.without_load_limit = grown_without_load_limit();
-      for (const auto& test : shared_->obstacle_tests) test->demand_more(trials_->margin, trials_->places);
-      grow_until(trials_->tolerance);
+      if (trials_->tolerance < first) {
+        for (const auto& test : shared_->obstacle_tests) test->demand_more(trials_->margin, trials_->places);
+        grow_until(trials_->tolerance);
+      }
       proven.exhausted = is_closed(trials_->tolerance);
       // What the trials came to meanwhile is a design all the same.
       proven.value =
@@ -83,7 +87,7 @@ class Tree {
     for (const TreeNode& node : left_to_loads_) tree.open_without_loads(node);
     tree.grow_until(options.tolerance);
     if (options_.stop()) return std::nullopt;
-    return tree.proven_so_far().value;
+    return tree.proven_so_far(options.tolerance).value;
   }
 
   void open_without_loads(TreeNode node) {
@@ -132,6 +136,7 @@ class Tree {
       if (options_.self_contact && !shared_->cuts.rule_out(node, branch_of(node), boxes_)) continue;
       if (!rule_out_by_obstacles(node, false)) continue;
       if (are_tried(++opened_)) designs_.try_in(node, branch_of(node), obstacles_of(node), loads_of(node));
+      if (trials_ && sees_loads() && opened_ == next_leap_) leap_to(node), next_leap_ *= 2;
       if (sees_obstacles() && opened_ % looked_further_every == 0)
         obstacles_of(node)->look_further(design_box(node), node.alive);
       split(node);
@@ -143,6 +148,21 @@ class Tree {
   bool are_tried(std::size_t opened) const {
     const bool is_seldom = sees_loads() && trials_ == nullptr && options_.incumbent;
     return opened % 8 == 0 || (opened <= 100 && !is_seldom);
+  }
+
+  /// Tries the middle of a box out, whatever limits it breaks: under a limit on the load error the best designs lie where limits meet, and
+  /// designs that keep all of them are met there late.
+  void leap_to(const TreeNode& node) {
+    if (const auto middle = middle_of(node))
+      designs_.leap_to(node, branch_of(node), *middle, obstacles_of(node));
+  }
+
+  /// The same of each branch's most promising box, where the tree ends before it leaves nothing better.
+  void leap_to_what_is_left() {
+    std::set<std::size_t> seen;
+    for (auto open = open_; !open.empty() && open.top().bound < designs_.enough(options_.tolerance);
+         open.pop())
+      if (seen.insert(open.top().branch).second) leap_to(open.top());
   }
 
   static bounding::DesignBox design_box(const TreeNode& node) {
@@ -164,8 +184,12 @@ class Tree {
           sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{},
           sees_obstacles() ? bodies : std::vector<Body>{},
           trials_ != nullptr ? std::optional(sag_counts(spec_.limits)) : std::nullopt);
-      for (const AssemblyMode& mode : assembly_modes(shape_of(spec_.copy.k(), grounding))) {
+      const Complex shape = shape_of(spec_.copy.k(), grounding);
+      // The search, whose choices the trials are of, leaves mirror images out (problem/choices.hpp).
+      const bool has_mirror_images = trials_ != nullptr && is_straight(shape) && !sees_obstacles();
+      for (const AssemblyMode& mode : assembly_modes(shape)) {
         if (options_.stop()) return false;
+        if (has_mirror_images && mode.number > 0) continue;
         shared_->branches.push_back(bounding::make_branch(spec_, grounding, mode, layers, options_.shortest));
         if (sees_loads()) {
           load_floors_.emplace_back(spec_, shared_->branches.back().mode);
@@ -334,11 +358,12 @@ class Tree {
         linkage->grounding(), linkage->assembly_mode().number, linkage->VA(), linkage->VB(), node.pole(), {}};
   }
 
-  ProvenBound proven_so_far() const {
+  /// `tolerance`: with which it counts as tight.
+  ProvenBound proven_so_far(double tolerance) const {
     ProvenBound result;
     const double bound = open_.empty() ? designs_.best() : std::min(designs_.best(), open_.top().bound);
     result.no_design = open_.empty() && !(designs_.best() < infinity);
-    result.tight = is_closed(options_.tolerance);
+    result.tight = is_closed(tolerance);
     if (!result.no_design) result.value = by_size_ ? bound : -bound;
     return result;
   }
@@ -372,6 +397,7 @@ class Tree {
   std::priority_queue<TreeNode, std::vector<TreeNode>, bounding::LessPromising> open_;
   std::array<std::optional<double>, 3> by_grounding_;
   std::size_t boxes_ = 0, opened_ = 0;
+  std::size_t next_leap_ = 32;                             // boxes opened
   static constexpr std::size_t told_every = 64;            // boxes
   static constexpr std::size_t looked_further_every = 64;  // boxes
   double tolerance_ = options_.tolerance;                  // that the tree grows to now

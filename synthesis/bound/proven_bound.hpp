@@ -38,14 +38,15 @@ struct Trial {
   bool in_vain = false;
 };
 
-/// The tree as a search. First it is a bound, but only what the trials made certain counts as known; then it goes on with the
-/// obstacles where and as far away as the search keeps them, until it closes on the search's own optimum.
+/// The tree as a search. First it is a bound, but only what the trials made certain counts as known; then, where `tolerance` is smaller than
+/// that of the bound, it goes on with the obstacles where and as far away as the search keeps them, until it closes on the search's own optimum.
 struct Trials {
   std::function<Trial(const RelaxedDesign&)> run;
   int most = 0;  ///< trials, all of the last box included; the tree ends with them where none led to a design
   std::vector<Point> places{};  ///< of the tracer: where the search looks at obstacles
   double margin = 0;            ///< mm that it keeps away from them beyond the clearance
-  double tolerance = 0;         ///< share of the best value known: nothing better by more is to be left
+  double tolerance =
+      0;  ///< share of the best value known: nothing better by more is to be left; may be more than the bound's
   /// BoundOptions::share_of_gap of the bound of designs that need not keep the limit on the load error (ProvenBound::without_load_limit).
   double share_of_load_limit = 0;
 };

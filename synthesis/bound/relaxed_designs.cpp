@@ -129,6 +129,15 @@ void RelaxedDesigns::look_at(const Box& box, const Candidate& candidate) {
   best_ = candidate.value;
 }
 
+void RelaxedDesigns::leap_to(const TreeNode& node, const Branch& branch, RelaxedDesign design,
+                             ObstacleTest* obstacles) {
+  std::size_t layers = 0;
+  while (layers < branch.layers.size() && !node.alive.has(layers)) ++layers;
+  if (trials_are_used_up() || layers == branch.layers.size()) return;
+  design.layers = branch.layers[layers].layers;
+  try_out(obstacles, node.branch, layers, design);
+}
+
 /// Tries a design out in the search: what it leads to is known, and where it fails is looked at from now on.
 void RelaxedDesigns::try_out(ObstacleTest* obstacles, std::size_t branch, std::size_t layers,
                              const RelaxedDesign& design) {

@@ -42,6 +42,9 @@ class RelaxedDesigns {
   /// seen.
   void try_in(const TreeNode& node, const Branch& branch, ObstacleTest* obstacles, const LoadFloor* loads);
 
+  /// Tries a design of the box out in the first layers that the box has left, whatever limits it breaks.
+  void leap_to(const TreeNode& node, const Branch& branch, RelaxedDesign design, ObstacleTest* obstacles);
+
  private:
   struct Candidate;
   struct Box;

@@ -23,7 +23,7 @@ struct ProofBudget {
   std::size_t boxes_under_load = 200'000;
 };
 
-/// Of the search by the bound's tree, among obstacles (tree_search.hpp).
+/// Of the search by the bound's tree, among obstacles and under a limit on the load error (tree_search.hpp).
 struct TreeBudget {
   std::size_t boxes = 60000;  ///< before the choices are searched one by one
   int trials = 40;            ///< of its designs in the local search

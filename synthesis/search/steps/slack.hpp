@@ -37,9 +37,11 @@ inline constexpr double robust_rounding = 1e-9;
 
 /// Share of the cost: a choice that comes so near to its bound is searched no further.
 inline constexpr double at_bound = 1e-7;
-/// Share of the cost: the tree among obstacles is searched until no design can be better by more.
+/// Share of the cost: the tree is searched until no design can be better by more.
 inline constexpr double tree_search = 5e-7;
-/// Share of the bound: how near the same tree brings it to the best design.
+/// The same under a limit on the load error, where the last digits of the proof would take most of its time.
+inline constexpr double tree_under_load = 3e-4;
+/// Share of the bound: how near the tree brings it to the best design.
 inline constexpr double tree_bound = 1e-4;
 /// Share of the gap between a design that keeps a limit on the load error and the best that need not, which is all that a told bound knows: how
 /// near the bound is brought to that best.

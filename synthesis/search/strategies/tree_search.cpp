@@ -53,7 +53,7 @@ class TreeSearch {
             .most = task_.budgets().tree.trials,
             .places = task_.space().tracer_places(),
             .margin = slack::inward_obstacle * task_.space().layout().unit,
-            .tolerance = slack::tree_search,
+            .tolerance = task_.limits.load_error ? slack::tree_under_load : slack::tree_search,
             .share_of_load_limit = slack::gap_of_a_limit};
   }
 
@@ -93,7 +93,8 @@ class TreeSearch {
 bool suits_tree_search(const SearchTask& task) {
   const Requirements& limits = task.limits;
   return !has_stock_lengths(task.spec()) && (task.goal == Goal::size || task.goal == Goal::transmission) &&
-         !task.space().obstacles().empty() && limits.pole_margin == 0 && !limits.size && !limits.footprint;
+         (!task.space().obstacles().empty() || limits.load_error) && limits.pole_margin == 0 &&
+         !limits.size && !limits.footprint;
 }
 
 SearchResult best_by_tree(const SearchTask& task) { return TreeSearch(task).run(); }

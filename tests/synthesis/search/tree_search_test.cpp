@@ -1,8 +1,9 @@
-// The tree as a search among obstacles, beside the search of every choice, which shares nothing with it but the local solver.
+// The tree as a search among obstacles and under a limit on the load error, beside the search of every choice, which shares nothing with it but the local solver.
 #include "synthesis/search/strategies/tree_search.hpp"
 
 #include <gtest/gtest.h>
 
+#include "specs/materials.hpp"
 #include "synthesis/bound/proven_bound.hpp"
 #include "synthesis/search/best/best_design.hpp"
 #include "synthesis/search/steps/design_check.hpp"
@@ -54,10 +55,11 @@ int closed_without_a_better_one(test::SpecDice& dice, int specs, const MakeSpec&
     const SearchResult by_choices = best_by_choices(task);
     if (!by_choices.design) continue;
     const double tree = by_tree.design->value, choices = by_choices.design->value;
+    const double worse = task.limits.load_error ? 4e-4 : 1e-6;
     if (task.goal == Goal::size)
-      EXPECT_LT(tree, choices * (1 + 1e-6)) << "spec " << i;
+      EXPECT_LT(tree, choices * (1 + worse)) << "spec " << i;
     else
-      EXPECT_GT(tree, choices * (1 - 1e-6)) << "spec " << i;
+      EXPECT_GT(tree, choices * (1 - worse)) << "spec " << i;
   }
   return exhausted;
 }
@@ -70,6 +72,23 @@ TEST(TreeSearch, LeavesNothingBetterToTheSearchOfEveryChoice) {
 TEST(TreeSearch, LeavesNothingBetterBesideBodies) {
   test::SpecDice dice(2032);
   EXPECT_GT(closed_without_a_better_one(dice, test::samples(16), spec_beside_bodies), test::expected(3));
+}
+
+/// With steel, a load, and a limit that the design which is best without one breaks.
+Spec spec_under_load(test::SpecDice& dice, int i) {
+  Spec spec = i % 4 == 3 ? spec_among_obstacles(dice, i) : dice.spec();
+  if (i % 2 == 0) spec.objective.objective = Objective::transmission;
+  spec.material = as_material(*material_named("steel"));
+  spec.load = Load{10};
+  const SearchTask task = pose(spec, SearchControl({}));
+  if (const auto free = best_by_choices(task).design)
+    spec.limits.load_error = dice.uniform(0.6, 0.98) * free->attained.load_error;
+  return spec;
+}
+
+TEST(TreeSearch, LeavesNothingBetterUnderALimitOnTheLoadError) {
+  test::SpecDice dice(2034);
+  EXPECT_GT(closed_without_a_better_one(dice, test::samples(60), spec_under_load), test::expected(20));
 }
 
 TEST(TreeSearch, TellsTheSameTwice) {
@@ -101,11 +120,16 @@ TEST(TreeSearch, EndsWithItsLastTrialWhereNoneLedToADesign) {
   EXPECT_LT(tree->boxes, options.boxes / 10);
 }
 
-TEST(TreeSearch, IsForObstaclesAndGoalsThatTheTreeKnows) {
+TEST(TreeSearch, IsForObstaclesLoadsAndGoalsThatTheTreeKnows) {
   test::SpecDice dice(2031);
   Spec spec = spec_among_obstacles(dice, 1);
   spec.obstacles.clear();
   EXPECT_FALSE(suits_tree_search(pose(spec, SearchControl({}))));
+  Spec loaded = spec;
+  loaded.material = as_material(*material_named("steel"));
+  loaded.load = Load{10};
+  loaded.limits.load_error = 0.1;
+  EXPECT_TRUE(suits_tree_search(pose(loaded, SearchControl({}))));
   spec.bodies.push_back(dice.body_beside(spec));
   EXPECT_TRUE(suits_tree_search(pose(spec, SearchControl({}))));
   for (const Goal goal : {Goal::footprint, Goal::copy_error, Goal::clearance, Goal::copy_gap}) {
