@@ -91,15 +91,15 @@ void RelaxedDesigns::look_at(const Box& box, const Candidate& candidate) {
   const CopyingLinkage& linkage = candidate.linkage;
   const OpeningInterval& openings = candidate.openings;
   if (candidate.value >= (trials_ ? enough(trials_->tolerance) : best_)) return;
-  if (spec_.limits.copy_error && spec_.tolerance) {
-    const CopyErrorProfile profile = copy_error_profile(linkage, CopyTolerance::uniform(*spec_.tolerance));
-    if (profile.largest(openings).worst.worst > *spec_.limits.copy_error) return;
-  }
   const bool is_soft = box.loads != nullptr && !box.loads->keeps({linkage.VA(), linkage.VB()}, openings);
   // A trial may make of a design that is too soft one that is not. While none is known each branch has one such trial.
   const bool may_be_soft =
       trials_ != nullptr && !(best_ < infinity) && !soft_tried_out_.contains(node.branch);
   if (is_soft && !may_be_soft) return;
+  if (spec_.limits.copy_error && spec_.tolerance) {
+    const CopyErrorProfile profile = copy_error_profile(linkage, CopyTolerance::uniform(*spec_.tolerance));
+    if (profile.largest(openings).worst.worst > *spec_.limits.copy_error) return;
+  }
   if (was_in_vain(node.branch, linkage)) return;
   std::vector<std::optional<bool>> keep(branch.layers.size());  // where known; of those alike the first's
   const auto keeps_clearance = [&](const LayerCandidate& choice) {
