@@ -127,6 +127,7 @@ test("Arrow keys move a handle, and every handle has a name", async () => {
 
 test("Sizes and places on the table can be typed", async () => {
   await on({}, async (page) => {
+    await rested(page);
     await page.evaluate((spec) => window.kempe.studio.open(spec), template("clamped-plate"));
     await rested(page);
     const got = (path) => page.evaluate((of) => window.kempe.studio.doc.get(of), path);
