@@ -40,26 +40,26 @@ bool MetContacts::rule_out(TreeNode& node, const Branch& branch, std::size_t& bo
   if (!linkage) return true;
   const double one = branch.opening_of(passed.lower), other = branch.opening_of(passed.upper);
   const OpeningInterval openings{std::min(one, other), std::max(one, other)};
-  std::vector<bool> looked_at(branch.layers.size(), false);
   for (std::size_t i = 0; i < branch.layers.size(); ++i) {
-    if (!node.alive.has(i) || looked_at[branch.layers[i].like]) continue;
+    if (!node.alive.has(i)) continue;
     if (stop_()) break;
-    looked_at[branch.layers[i].like] = true;
     ++boxes;
     const Tightest tightest =
         smallest_gap_over(*linkage, spec_.links.style, branch.layers[i].layers, openings);
-    if (tightest.gap >= spec_.limits.clearance || !tightest.pair) continue;
+    if (tightest.gap >= spec_.limits.clearance || !tightest.pair) return true;
     const double psi = std::clamp(branch.psi_of(tightest.opening), passed.lower, passed.upper);
     const auto points =
         nearest_points(*tightest.pair, branch.mode.s, spec_.links.style, a, b, branch.mode.bend * psi);
     const Cut cut{psi, points.first, points.second,
                   (points.needed + spec_.limits.clearance) * slack::surely_less};
-    if (is_cut(branch, node, passed, cut)) {
-      strike(node, branch, key_of(*tightest.pair));
-    } else if (i < kept_cuts) {
-      node.cut[i] = static_cast<std::uint32_t>(cuts_.size());
-      cuts_.push_back(cut);
+    if (!is_cut(branch, node, passed, cut)) {
+      if (i < kept_cuts) {
+        node.cut[i] = static_cast<std::uint32_t>(cuts_.size());
+        cuts_.push_back(cut);
+      }
+      return true;
     }
+    strike(node, branch, key_of(*tightest.pair));
   }
   return !node.alive.empty();
 }

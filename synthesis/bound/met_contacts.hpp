@@ -18,7 +18,8 @@ class MetContacts {
   /// Tests the contacts that the node was split from; false if no layer assignment is left.
   bool repeat(TreeNode& node, const Branch& branch) const;
   /// Drops layer assignments in which the linkage touches itself at an opening that every design of the box
-  /// passes, and remembers where it does in others; false if none is left. Counts its tests in `boxes`.
+  /// passes, up to the first in which that is not so: one is enough to keep the box. Remembers where that one touches itself, if it does.
+  /// False if none is left. Counts its tests in `boxes`.
   bool rule_out(TreeNode& node, const Branch& branch, std::size_t& boxes);
 
   /// Two points of a linkage that came too near at an opening in some box.
