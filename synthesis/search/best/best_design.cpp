@@ -57,17 +57,6 @@ std::span<Prospect> next_group(const SearchTask& task, std::span<Prospect> rest,
   return rest.first(size);
 }
 
-/// Whether it is proven that no design keeps the limit on the load error beside the others.
-bool none_keeps_loads(const SearchTask& task) {
-  if (!task.limits.load_error || task.goal == Goal::pole_margin || task.limits.pole_margin > 0) return false;
-  const auto proof = proven_bound(spec_for_tree(task), Objective::size,
-                                  {.boxes = task.budgets().proof.boxes_under_load,
-                                   .load_limit = true,
-                                   .shortest = task.limits.shortest,
-                                   .stop = task.stop()});
-  return proof && proof->no_design;
-}
-
 bool has_any(const Incumbent& best) { return best.result.feasible || best.design; }
 
 /// `asks_for_proof`: where nothing is found, that no design keeps the limit on the load error; asked once, as soon as no choice that is left

@@ -21,6 +21,8 @@ struct ProofBudget {
   std::size_t boxes = 20000;
   /// The same with the limit on the load error, of which it is asked only where nothing was found: at worst two seconds.
   std::size_t boxes_under_load = 200'000;
+  /// The same for known lengths, where only the pole is free: a handful are enough nearly always.
+  std::size_t boxes_of_locked_lengths = 300;
 };
 
 /// Of the search by the bound's tree, among obstacles and under a limit on the load error (tree_search.hpp).

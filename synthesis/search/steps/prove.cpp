@@ -27,6 +27,16 @@ std::optional<FoundDesign> first_design(const SearchTask& task, const std::vecto
   return std::nullopt;
 }
 
+/// `options`: of the tree, whose goal and limits are the task's.
+bool none_keeps_loads(const SearchTask& task, const Spec& spec, BoundOptions options) {
+  if (!task.limits.load_error || task.goal == Goal::pole_margin || task.limits.pole_margin > 0) return false;
+  options.load_limit = true;
+  options.shortest = task.limits.shortest;
+  options.stop = task.stop();
+  const auto proof = proven_bound(spec, Objective::size, options);
+  return proof && proof->no_design;
+}
+
 }  // namespace
 
 Spec spec_for_tree(const SearchTask& task) { return with_limits(task.space().spec(), task.limits); }
@@ -48,6 +58,15 @@ std::optional<ProvenBound> prove(const SearchTask& task, const StopFlag& stop) {
   bound->design = kept ? kept->design : std::nullopt;
   bound->promising = kept ? kept->promising : std::vector<RelaxedDesign>{};
   return bound;
+}
+
+bool none_keeps_loads(const SearchTask& task) {
+  return none_keeps_loads(task, spec_for_tree(task), {.boxes = task.budgets().proof.boxes_under_load});
+}
+
+bool is_too_soft_anywhere(const SearchTask& task, const Spec& locked) {
+  return none_keeps_loads(task, with_limits(locked, task.limits),
+                          {.boxes = task.budgets().proof.boxes_of_locked_lengths, .self_contact = false});
 }
 
 FirstLook first_look(const SearchTask& task) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "synthesis/search/steps/certify.hpp"
+#include "synthesis/search/steps/prove.hpp"
 #include "synthesis/search/steps/slack.hpp"
 
 namespace kempe {
@@ -38,6 +39,15 @@ class LockedLengths {
       : task_(task), space_(locked(task.space().spec(), lengths)) {}
 
   std::uint64_t evaluations() const { return evaluations_; }
+
+  /// Where it is proven that these lengths are too soft wherever the pole stands: sooner than a search in vain. Where the pole stands fast
+  /// a look at the one design is sooner still.
+  bool are_too_soft(Grounding grounding) const {
+    if (!task_.limits.load_error || space_.spec().pole.is_fixed()) return false;
+    Spec spec = space_.spec();
+    spec.objective.groundings = {grounding};
+    return is_too_soft_anywhere(task_, spec);
+  }
 
   /// The best of a goal, without contact if there is none given.
   ChoiceResult search(const Subproblem& sub, const ContactTerms& contact, Goal sought,
@@ -84,6 +94,7 @@ SearchResult best_with_locked_lengths(const SearchTask& task, const std::vector<
   LockedLengths locked(task, candidate.lengths);
   const Prospect& first = prospects[candidate.shape->prospects.front()];
   const Subproblem& sub = first.subproblem;
+  if (locked.are_too_soft(sub.choice->choice.grounding)) return {.evaluations = locked.evaluations()};
   const ChoiceResult small =
       locked.search(sub, {}, Goal::size, starts_of(first, candidate.lengths, any_lengths));
   if (!small.feasible) return {.evaluations = locked.evaluations()};
