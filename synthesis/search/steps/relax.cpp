@@ -54,6 +54,14 @@ void relax_one(const SearchTask& task, Prospect& prospect, const ChoiceResult* w
   prospect.relaxed = search_choice(problem, options);
 }
 
+/// The task without its limit on the load error, if it has one that the goal leaves out.
+std::optional<SearchTask> task_without_load(const SearchTask& task) {
+  if (!task.limits.load_error || task.goal == Goal::load_error) return std::nullopt;
+  Requirements limits = task.limits;
+  limits.load_error.reset();
+  return task.with(limits, task.goal);
+}
+
 /// With the limit on the load error, for all that differ from the first in their layers alone.
 void relax_first_under_load(const SearchTask& task, std::span<Prospect> order) {
   Prospect& first = order.front();
@@ -76,9 +84,12 @@ std::vector<Prospect> prospects_of(const SearchTask& task, std::vector<Subproble
   for (Subproblem& sub : subproblems) prospects.push_back({std::move(sub)});
   remember(prospects, known);
   const auto groups = alike_in(prospects);
+  const std::optional<SearchTask> at_first = task_without_load(task);
   run_parallel(groups.size(), task.control.options().threads, [&](std::size_t i) {
-    const Prospect& first = prospects[groups[i].front()];
-    relax_one(task, prospects[groups[i].front()]);
+    Prospect& first = prospects[groups[i].front()];
+    relax_one(at_first ? *at_first : task, first);
+    if (const ChoiceResult relaxed = first.relaxed; at_first && relaxed.feasible)
+      relax_one(task, first, &relaxed);
     for (const std::size_t other : groups[i]) {
       prospects[other].relaxed = first.relaxed;
       prospects[other].poles = first.poles;
@@ -99,10 +110,9 @@ std::vector<Prospect> relax(const SearchTask& task, const std::vector<RelaxedDes
 }
 
 std::vector<Prospect> relax_without_load(const SearchTask& task, const std::vector<RelaxedDesign>& known) {
-  if (!task.limits.load_error || task.goal == Goal::load_error) return relax(task, known);
-  Requirements without = task.limits;
-  without.load_error.reset();
-  std::vector<Prospect> prospects = prospects_of(task.with(without, task.goal), task.subproblems(), known);
+  const std::optional<SearchTask> without = task_without_load(task);
+  if (!without) return relax(task, known);
+  std::vector<Prospect> prospects = prospects_of(*without, task.subproblems(), known);
   for (Prospect& prospect : prospects) prospect.lacks_load_limit = true;
   sort_by_promise(prospects);
   return prospects;
