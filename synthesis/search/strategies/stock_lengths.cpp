@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <span>
+#include <tuple>
 
 #include "kinematics/parallel.hpp"
 #include "synthesis/search/strategies/locked_lengths.hpp"
@@ -22,19 +25,24 @@ struct Stock {
 };
 
 /// The best of the first `enough` candidates that work.
-SearchResult best_candidate(const Stock& stock, const std::vector<LengthCandidate>& all, std::size_t enough) {
+struct BestCandidate {
+  SearchResult found;
+  std::size_t tried = 0;  ///< candidates
+};
+BestCandidate best_candidate(const Stock& stock, const std::vector<LengthCandidate>& all,
+                             std::size_t enough) {
   const SearchTask& task = stock.task;
   const StockBudget& budget = task.budgets().stock;
   const std::size_t group_size =
       std::clamp(enough, budget.least_group, budget.largest_group);  // fixed: threads change nothing
   SearchResult best;
-  std::size_t working = 0;
-  for (std::size_t first = 0; first < all.size() && working < enough && !task.stopped();
-       first += group_size) {
-    std::vector<SearchResult> found(std::min(group_size, all.size() - first));
+  std::size_t working = 0, tried = 0;
+  while (tried < all.size() && working < enough && !task.stopped()) {
+    std::vector<SearchResult> found(std::min(group_size, all.size() - tried));
     run_parallel(found.size(), task.control.options().threads, [&](std::size_t i) {
-      found[i] = best_with_locked_lengths(task, stock.prospects, all[first + i], stock.any_lengths);
+      found[i] = best_with_locked_lengths(task, stock.prospects, all[tried + i], stock.any_lengths);
     });
+    tried += found.size();
     for (const SearchResult& one : found) {
       best.evaluations += one.evaluations;
       working += one.design ? 1 : 0;
@@ -42,7 +50,18 @@ SearchResult best_candidate(const Stock& stock, const std::vector<LengthCandidat
     }
   }
   best.stopped = task.stopped();
-  return best;
+  return {std::move(best), tried};
+}
+
+/// Leaves those out that have been tried.
+void leave_out(std::vector<LengthCandidate>& candidates, std::span<const LengthCandidate> tried) {
+  const auto key = [](const LengthCandidate& one) {
+    return std::tuple(one.shape, one.lengths.VA, one.lengths.VB);
+  };
+  std::set<std::tuple<const Shape*, double, double>> known;
+  for (const LengthCandidate& one : tried) known.insert(key(one));
+  const auto is_known = [&](const LengthCandidate& one) { return known.contains(key(one)); };
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_known), candidates.end());
 }
 
 /// The best design that keeps the task's ratio to the last digit.
@@ -53,11 +72,13 @@ SearchResult best_with_exact_ratio(const Stock& stock) {
   const auto near =
       candidates_near(task.with(quick_goal(task.goal)), stock.prospects, shapes, stock.any_lengths);
   const bool by_size = quick_goal(task.goal) == Goal::size;
-  SearchResult result = best_candidate(stock, near, by_size ? budget.enough_by_size : budget.enough);
-  if (task.goal == Goal::size) {  // the smallest works first
+  auto [result, tried] = best_candidate(stock, near, by_size ? budget.enough_by_size : budget.enough);
+  if (task.goal ==
+      Goal::size) {  // the smallest works first; what is smaller and has been tried does not work
     const double largest = result.design ? result.design->value : std::numeric_limits<double>::infinity();
-    const auto by_rising_size = candidates_by_size(task, stock.prospects, shapes, stock.any_lengths, largest);
-    SearchResult smallest = best_candidate(stock, by_rising_size, 1);
+    auto by_rising_size = candidates_by_size(task, stock.prospects, shapes, stock.any_lengths, largest);
+    leave_out(by_rising_size, std::span(near).first(tried));
+    SearchResult smallest = best_candidate(stock, by_rising_size, 1).found;
     result.evaluations += smallest.evaluations;
     if (smallest.design) result.design = std::move(smallest.design);
   }
@@ -72,11 +93,15 @@ struct Ratio {
   double off;
 };
 
-/// Those that lengths up to `longest` allow, the smallest error first.
-std::vector<Ratio> ratios_near(const SearchTask& task, double longest) {
+/// Those that lengths up to `longest` allow, of the groundings that may have a design, the smallest error first.
+std::vector<Ratio> ratios_near(const SearchTask& task, const std::vector<Prospect>& known, double longest) {
   const Spec& spec = task.spec();
   std::vector<Ratio> ratios;
   for (const Grounding grounding : spec.objective.groundings) {
+    if (std::none_of(known.begin(), known.end(), [&](const Prospect& one) {
+          return one.relaxed.feasible && one.subproblem.choice->choice.grounding == grounding;
+        }))
+      continue;
     const Complex shape = shape_of(spec.copy.k(), grounding);
     for (const RatioLengths& lengths :
          nearest_stock_lengths(spec.links.stock_lengths, shape, longest, task.budgets().stock.ratios)) {
@@ -168,10 +193,10 @@ SearchResult best_with_another_ratio(const SearchTask& task, const std::vector<P
     const double value = any_lengths.attained.of(design.goal);
     return is_maximized(design.goal) ? design.value >= value / worse : design.value <= value * worse;
   };
-  SearchResult result = best_of_ratios(task, known, ratios_near(task, longest), good);
+  SearchResult result = best_of_ratios(task, known, ratios_near(task, known, longest), good);
   if (result.design || result.stopped) return result;
   SearchResult farther =
-      best_of_ratios(task, known, ratios_near(task, most), [](const FoundDesign&) { return true; });
+      best_of_ratios(task, known, ratios_near(task, known, most), [](const FoundDesign&) { return true; });
   farther.evaluations += result.evaluations;
   return farther;
 }
