@@ -22,6 +22,12 @@ class LayerSet {
   bool empty() const {
     return first_ == 0 && std::all_of(more_.begin(), more_.end(), [](auto word) { return word == 0; });
   }
+  /// The least number in it; it must not be empty.
+  std::size_t first() const {
+    std::size_t i = 0;
+    while (!has(i)) ++i;
+    return i;
+  }
   bool has(std::size_t i) const { return i / bits <= more_.size() && (word(i) >> i % bits & 1) != 0; }
   bool meets(const LayerSet& other) const {
     bool met = (first_ & other.first_) != 0;

@@ -341,24 +341,40 @@ struct ObstacleTest::Look {
 };
 
 LayerSet ObstacleTest::not_hit(const DesignBox& box, LayerSet alive, Sight& sight, bool only_hit) const {
-  Look look(*this, box, alive);
-  if (sight.hit) look.at(sight.hit->place, std::span(all_terms_).subspan(sight.hit->term, 1));
-  if (!only_hit && !alive.empty()) {
-    look.forget_what_was_seen();
-    std::optional<bool> may_be_too_large;
-    const auto look_at = [&](std::size_t place, std::span<const std::uint32_t> terms) {
-      if (alive.empty() || stop_()) return;
-      if (!may_be_too_large) may_be_too_large = look.is_too_large_at(place);
-      look.at(place, terms, *may_be_too_large && look.is_too_large_at(place));
-    };
-    if (sight.near)
-      for (const PlacesWithTerms::Place& place : sight.near->places)
-        look_at(place.number, sight.near->at(place));
-    for (std::size_t place = sight.judged; place < places_.size(); ++place) look_at(place, all_terms_);
-    if (!alive.empty()) judge(look, sight);
+  if (sight.hit) {
+    Look look(*this, box, alive);
+    look.at(sight.hit->place, std::span(all_terms_).subspan(sight.hit->term, 1));
+    if (look.hit) sight.hit = look.hit;
   }
-  if (look.hit) sight.hit = look.hit;
+  while (!only_hit && !alive.empty() && !stop_()) {
+    const std::size_t one = alive.first();
+    if (sight.layers != one) sight = {sight.hit, {}, 0, one};
+    if (look_all_over(box, one, sight)) break;
+    if (places_[sight.hit->place].layers)
+      alive.remove(one);
+    else
+      alive.remove(terms_[sight.hit->term].layers);
+  }
   return alive;
+}
+
+bool ObstacleTest::look_all_over(const DesignBox& box, std::size_t one, Sight& sight) const {
+  LayerSet alive;
+  alive.add(one);
+  Look look(*this, box, alive);
+  std::optional<bool> may_be_too_large;
+  const auto look_at = [&](std::size_t place, std::span<const std::uint32_t> terms) {
+    if (alive.empty() || stop_()) return;
+    if (!may_be_too_large) may_be_too_large = look.is_too_large_at(place);
+    look.at(place, terms, *may_be_too_large && look.is_too_large_at(place));
+  };
+  if (sight.near)
+    for (const PlacesWithTerms::Place& place : sight.near->places)
+      look_at(place.number, sight.near->at(place));
+  for (std::size_t place = sight.judged; place < places_.size(); ++place) look_at(place, all_terms_);
+  if (look.hit) sight.hit = look.hit;
+  if (!alive.empty()) judge(look, sight);
+  return !alive.empty();
 }
 
 /// Keeps the places where an obstruction can be hit in a part of the box, and the terms. That joints move alike at all places is not certain,

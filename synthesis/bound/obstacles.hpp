@@ -46,6 +46,7 @@ struct Sight {
   /// Of the first `judged` places those from which something can be hit in some part of the box, and what; absent: all of them.
   std::shared_ptr<const PlacesWithTerms> near{};
   std::size_t judged = 0;
+  std::size_t layers = 0;  ///< the assignment that both are of
 };
 
 /// What the tests of all groundings and assembly modes share: to divide outlines of many corners into convex parts takes long, and so does
@@ -128,6 +129,7 @@ class ObstacleTest {
   std::vector<Doubt> where_it_may_be_hit(const Design& design, std::size_t layers) const;
   bool is_hit_all_over(const Term& term, const JointSpreads& spreads, double rounding) const;
   struct Look;
+  bool look_all_over(const DesignBox& box, std::size_t one, Sight& sight) const;
   void judge(Look& look, Sight& sight) const;
 
   ModeFacts mode_;
