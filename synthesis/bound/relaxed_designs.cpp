@@ -103,10 +103,16 @@ void RelaxedDesigns::look_at(const Box& box, const Candidate& candidate) {
   if (was_in_vain(node.branch, linkage)) return;
   std::vector<std::optional<bool>> keep(branch.layers.size());  // where known; of those alike the first's
   const auto keeps_clearance = [&](const LayerCandidate& choice) {
-    auto& known = keep[choice.like];
-    if (!known)
-      known = keeps_gap_over(linkage, spec_.links.style, choice.parts, openings, spec_.limits.clearance);
-    return *known;
+    const std::optional<bool>& known = keep[choice.like];
+    if (known) return *known;
+    const auto nearer =
+        pair_nearer_than(spec_.limits.clearance, linkage, spec_.links.style, choice.parts, openings);
+    keep[choice.like] = !nearer;
+    if (!nearer) return true;
+    const PairKey pair = key_of(choice.parts[*nearer]);
+    for (const LayerCandidate& other : branch.layers)
+      if (other.has(pair)) keep[other.like] = false;
+    return false;
   };
   LayerSet left = node.alive;  // of which none is known not to be clear
   const auto free = [&](const LayerCandidate& choice) {

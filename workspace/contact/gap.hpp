@@ -42,8 +42,9 @@ Tightest smallest_gap_over(const CopyingLinkage& linkage, const LinkStyle& style
 /// The same of the pairs given: pairs of pins and posts, or with links of one direction (VA and BCY, or VB and ACX).
 Tightest smallest_gap_over(const CopyingLinkage& linkage, const LinkStyle& style,
                            const std::vector<ContactPair>& pairs, const OpeningInterval& openings);
-/// Whether that gap is at least `clearance`: known sooner.
-bool keeps_gap_over(const CopyingLinkage& linkage, const LinkStyle& style,
-                    const std::vector<ContactPair>& pairs, const OpeningInterval& openings, double clearance);
+/// The place in `pairs` of one whose gap is less than `clearance` (mm); nothing if there is none. Known sooner than the smallest gap.
+std::optional<std::size_t> pair_nearer_than(double clearance, const CopyingLinkage& linkage,
+                                            const LinkStyle& style, const std::vector<ContactPair>& pairs,
+                                            const OpeningInterval& openings);
 
 }  // namespace kempe

@@ -195,18 +195,29 @@ RelativeMotion relative_motion(const CopyingLinkage& linkage, const JointHull& o
           from_p ? 1.0 : -1.0, kept};
 }
 
-/// Calls `use(pair index, motion)` for every pair of pieces of every pair of parts.
-template <class Use>
-void for_each_motion(const CopyingLinkage& linkage, const LinkStyle& style,
-                     const std::vector<ContactPair>& pairs, Use use) {
+/// The first pair of parts of which `is_so` is true for a pair of pieces in their motion.
+template <class IsSo>
+std::optional<std::size_t> find_pair(const CopyingLinkage& linkage, const LinkStyle& style,
+                                     const std::vector<ContactPair>& pairs, IsSo is_so) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const ContactPair& pair = pairs[i];
     const double kept = half_width(pair.first, style) + half_width(pair.second, style);
     const auto others = axis_of(pair.second, linkage.shape(), style.plate);
     for (const JointHull& one : axis_of(pair.first, linkage.shape(), style.plate))
       for (const JointHull& other : others)
-        use(i, relative_motion(linkage, one, other, seen_from_p(pair), kept));
+        if (is_so(i, relative_motion(linkage, one, other, seen_from_p(pair), kept))) return i;
   }
+  return std::nullopt;
+}
+
+/// Calls `use(pair index, motion)` for every pair of pieces of every pair of parts.
+template <class Use>
+void for_each_motion(const CopyingLinkage& linkage, const LinkStyle& style,
+                     const std::vector<ContactPair>& pairs, Use use) {
+  find_pair(linkage, style, pairs, [&](std::size_t pair, const RelativeMotion& motion) {
+    use(pair, motion);
+    return false;
+  });
 }
 
 /// What the contacts leave of `within`, moved inwards by `precision` at each contact.
@@ -261,20 +272,20 @@ Tightest smallest_gap_over(const CopyingLinkage& linkage, const LinkStyle& style
   return tightest;
 }
 
-bool keeps_gap_over(const CopyingLinkage& linkage, const LinkStyle& style,
-                    const std::vector<ContactPair>& pairs, const OpeningInterval& openings,
-                    double clearance) {
-  if (openings.empty()) return true;
-  bool keeps = true;
-  for_each_motion(linkage, style, pairs, [&](std::size_t, const RelativeMotion& motion) {
-    if (!keeps || motion.is_farther_everywhere(clearance)) return;
+std::optional<std::size_t> pair_nearer_than(double clearance, const CopyingLinkage& linkage,
+                                            const LinkStyle& style, const std::vector<ContactPair>& pairs,
+                                            const OpeningInterval& openings) {
+  if (openings.empty()) return std::nullopt;
+  return find_pair(linkage, style, pairs, [&](std::size_t, const RelativeMotion& motion) {
+    if (motion.is_farther_everywhere(clearance)) return false;
+    bool is_nearer = false;
     const auto look_at = [&](double opening) {
-      keeps = keeps && !(motion.distance_at(motion.angle_at(opening)) - motion.kept < clearance);
+      is_nearer = is_nearer || motion.distance_at(motion.angle_at(opening)) - motion.kept < clearance;
     };
     look_at(openings.lower);
-    if (keeps) for_each_candidate(motion, openings, look_at);
+    if (!is_nearer) for_each_candidate(motion, openings, look_at);
+    return is_nearer;
   });
-  return keeps;
 }
 
 std::vector<ContactOpenings> contact_openings(const CopyingLinkage& linkage, const LinkStyle& style,

@@ -107,7 +107,11 @@ TEST(SelfContact, SmallestGapOverAnIntervalIsNeverBelowItAndIsAttained) {
       EXPECT_GE(tightest_gap(linkage, linkage.pose_at(opening, 1), style, layers).gap, tightest.gap - 1e-9);
     }
     const auto keeps = [&](double clearance) {
-      return keeps_gap_over(linkage, style, contact_pairs(linkage, layers), within, clearance);
+      const auto pairs = contact_pairs(linkage, layers);
+      const auto nearer = pair_nearer_than(clearance, linkage, style, pairs, within);
+      if (nearer)
+        EXPECT_LT(smallest_gap_over(linkage, style, std::vector{pairs[*nearer]}, within).gap, clearance);
+      return !nearer;
     };
     EXPECT_TRUE(keeps(tightest.gap));
     EXPECT_TRUE(keeps(tightest.gap - dice.between(0, 20)));
