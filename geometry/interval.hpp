@@ -40,6 +40,9 @@ Interval sine(const Interval& angle);
 /// All angles of [0, pi] whose cosine lies in the interval, rad; a cosine beyond -1 or 1 counts as -1 or 1.
 Interval arc_cosine(const Interval& cosine);
 
+/// Natural logarithms of all numbers of the interval, which are positive.
+Interval logarithm(const Interval& positive);
+
 /// A complex number known to within a rectangle.
 struct IntervalComplex {
   Interval re, im;

@@ -53,4 +53,9 @@ Interval arc_cosine(const Interval& cosine) {
   return {std::max(0.0, arcs.inf()), std::min(pi + slack, arcs.sup())};
 }
 
+Interval logarithm(const Interval& positive) {
+  const double lower = at_nearest(std::log, positive.inf()), upper = at_nearest(std::log, positive.sup());
+  return around(lower, upper, four_ulp * std::max({1.0, std::abs(lower), std::abs(upper)}));
+}
+
 }  // namespace kempe

@@ -46,7 +46,7 @@ TEST(Intervals, TheProcessorRoundsToNearestAgainAfterwards) {
   EXPECT_FALSE(rounds_upwards());
 }
 
-TEST(Intervals, CosinesSinesAndArcsHoldTheTrueOnes) {
+TEST(Intervals, CosinesSinesArcsAndLogarithmsHoldTheTrueOnes) {
   Dice dice(501);
   const OutwardRounding rounding;
   for (int i = 0; i < 200'000; ++i) {
@@ -59,6 +59,11 @@ TEST(Intervals, CosinesSinesAndArcsHoldTheTrueOnes) {
     const double c = i % 3 == 0 ? 1 - std::ldexp(dice.between(0, 1), -dice.below(55)) : dice.between(-1, 1);
     ASSERT_TRUE(holds(arc_cosine(Interval(c)), std::acos(static_cast<long double>(c)))) << c;
     ASSERT_LT(arc_cosine(Interval(c)).sup() - arc_cosine(Interval(c)).inf(), 1e-14) << c;
+    const double positive = std::ldexp(dice.between(0.5, 1), dice.below(200) - 100);
+    const Interval numbers(positive, positive * (1 + width));
+    const long double one =
+        positive + dice.between(0, 1) * (static_cast<long double>(numbers.sup()) - positive);
+    ASSERT_TRUE(holds(logarithm(numbers), std::log(one))) << positive << " " << width;
   }
   EXPECT_GE(arc_cosine(Interval(-1.5, 1.5)).sup(), pi);
   EXPECT_EQ(arc_cosine(Interval(-1.5, 1.5)).inf(), 0);
