@@ -10,8 +10,6 @@
 namespace kempe::bounding {
 namespace {
 
-Interval whole(const Range& range) { return Interval(range.lower, range.upper); }
-
 void keep(Range& range, const Interval& values) {
   range.lower = std::max(range.lower, values.inf());
   range.upper = std::min(range.upper, values.sup());

@@ -2,16 +2,19 @@
 // What a box loses by the limit on the load error together with the goal: is every design of it too soft, or no better than the best known?
 //
 // A box may hold designs that are stiff enough and others that are good enough, and none that is both. Then a weighted sum of what they miss is
-// positive all over the box. Along the limit, where both trade off against each other, the sum changes only by the square of the box's width:
-// it is bounded by its value in the middle and its slopes over the box, so that such boxes need not be split on and on.
+// positive all over the box. Each figure is bounded from below by its value in the middle and slopes from there, less what its second
+// derivatives can take away; so is their sum. The weights, from a linear program, are those with which the slopes cancel best. What is
+// lost goes with the square of the box's width, so boxes along the limit need not be split on and on.
 //
-// Figures, each at most 0 for a design that is better than the best known and keeps the limit; psi at the two distances that every design of
-// the box covers:
+// Figures, each at most 0 for a design that is better than the best known and keeps the limit, at two places of the tracer:
 //
-//   reach  psi_near - near end + mu,  far end + mu - psi_far
+//   reach  log((H + cos near end) w / (c r)^2),  log((c r)^2 / (H + cos far end) w)
 //   size   size / best - 1, where size is the goal
-//   load   load error in one direction / limit - 1, at each of the two psi
+//   load   (root(load error / limit) - 1) sin d in one direction, at each of the two places (load_waves.hpp)
+//
+// Coordinates: the logarithms of t and w, and where the pole stands. A place's distance r is known wherever it stands, and log w goes straight.
 
+#include <memory>
 #include <optional>
 
 #include "specs/spec.hpp"
@@ -19,21 +22,34 @@
 
 namespace kempe::bounding {
 
+class LoadWaves;
+
+/// Two places of the region that every design has to reach, known to within `rounding` (mm).
+struct ReachedPlaces {
+  Point near, far;  ///< those nearest to and farthest from the middle of a box of poles
+  double rounding = 0;
+};
+
+/// Lengths, and places of the pole (mm).
+struct DesignRange {
+  LengthBox lengths;
+  Range x, y;
+};
+
 /// Of one grounding and assembly mode.
 class LoadTrade {
  public:
   /// Of a spec with load, material and a limit on the load error.
   LoadTrade(const Spec& spec, const ModeFacts& mode);
 
-  /// True if no design of the box that covers the distances keeps the limit, has a transmission angle above `transmission` (rad) and, where it
+  /// True if no design of the box that reaches the places keeps the limit, has a transmission angle above `transmission` (rad) and, where it
   /// is given, is smaller than `size` (mm). Said with directed rounding; doubles choose the weights.
-  bool none_better(const PoleDistances& distances, const LengthBox& lengths, double transmission,
+  bool none_better(const ReachedPlaces& places, const DesignRange& box, double transmission,
                    std::optional<double> size) const;
 
  private:
   ModeFacts mode_;
-  double limit_;
-  double force_, E_, width_, thickness_;
+  std::shared_ptr<const LoadWaves> loads_;
 };
 
 }  // namespace kempe::bounding

@@ -74,6 +74,11 @@ bool PolePlaces::measure_distances(TreeNode& node) const {
   return true;
 }
 
+PolePlaces::Ends PolePlaces::ends_from(const Point& pole) const {
+  return {region_.nearest(pole).place, farthest_corner({pole.x(), pole.x()}, {pole.y(), pole.y()}),
+          place_rounding_};
+}
+
 std::optional<DistanceRange> PolePlaces::distances_from(const Point& pole) const {
   if (area_ && !area_->contains(pole)) return std::nullopt;
   const DistanceRange range = region_.range(pole);

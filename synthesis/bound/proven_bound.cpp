@@ -248,8 +248,9 @@ class Tree {
     if (!(enough < infinity) || node.bound >= enough) return;
     const double transmission =
         by_size_ ? designs_.transmission() : std::max(spec_.limits.transmission, -enough);
-    if (load_trades_[node.branch].none_better(node.distances, node.lengths, transmission,
-                                              by_size_ ? std::optional(enough) : std::nullopt))
+    const auto [near, far, rounding] = shared_->poles.ends_from(node.pole());
+    if (load_trades_[node.branch].none_better({near, far, rounding}, {node.lengths, node.x, node.y},
+                                              transmission, by_size_ ? std::optional(enough) : std::nullopt))
       node.bound = enough;
   }
 

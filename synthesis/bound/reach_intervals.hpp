@@ -1,10 +1,16 @@
 #pragma once
-// The reach equation (c r)^2 = w (H(t) + cos psi) in intervals, for the proven bound's backends.
+// Ranges, and the reach equation (c r)^2 = w (H(t) + cos psi), in intervals: for the proven bound's backends.
 
 #include "geometry/interval.hpp"
 #include "synthesis/bound/box.hpp"
 
 namespace kempe::bounding {
+
+inline Interval whole(const Range& range) { return {range.lower, range.upper}; }
+
+/// About: for what need not be proven.
+inline double middle_of(const Interval& x) { return 0.5 * (x.inf() + x.sup()); }
+inline Complex middle_of(const IntervalComplex& z) { return {middle_of(z.re), middle_of(z.im)}; }
 
 /// H(t) = (t + 1/t)/2.
 inline Interval H_at(double t) { return (Interval(t) + 1.0 / Interval(t)) / 2.0; }

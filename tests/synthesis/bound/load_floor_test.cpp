@@ -6,44 +6,21 @@
 
 #include <Eigen/SVD>
 
-#include "specs/materials.hpp"
-#include "synthesis/bound/branch.hpp"
-#include "synthesis/bound/load_trade.hpp"
 #include "synthesis/bound/proven_bound.hpp"
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/search/search.hpp"
 #include "tests/samples.hpp"
+#include "tests/synthesis/bound/loaded_branch.hpp"
 #include "tests/synthesis/loads/frame_oracle.hpp"
-#include "tests/synthesis/search_specimens.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {
 namespace {
 
-struct LoadedBranch {
-  Spec spec;
-  bounding::Branch branch;
-};
-
-/// With load, steel and a limit.
-Spec loaded(Spec spec, double limit = 0.1) {
-  spec.material = as_material(*material_named("steel"));
-  spec.load = Load{10};
-  spec.limits.load_error = limit;
-  return spec;
-}
-
-LoadedBranch random_branch(test::SpecDice& dice) {
-  Spec spec = loaded(dice.spec());
-  spec.limits.copy_error.reset();
-  spec.links.style.thickness = dice.uniform(1, 8);
-  if (dice.one_in(4)) spec.copy = Copy::of(dice.log_uniform(0.1, 10), dice.one_in(2) ? 0 : pi);
-  const Grounding grounding = all_groundings[static_cast<std::size_t>(dice.uniform(0, 3))];
-  const auto modes = assembly_modes(shape_of(spec.copy.k(), grounding));
-  const auto number = static_cast<std::size_t>(dice.uniform(0, static_cast<double>(modes.size())));
-  auto branch = bounding::make_branch(spec, grounding, modes[number], {});
-  return {std::move(spec), std::move(branch)};
-}
+using test::DesignAtDistances;
+using test::loaded;
+using test::LoadedBranch;
+using test::random_branch;
 
 /// How far the pen gives way in its softest direction, by the frame; its shape from the definition, pen - pole = k (tracer - pole).
 double by_frame(const LoadedBranch& one, const BarLengths& lengths, double opening) {
@@ -142,28 +119,6 @@ TEST(LoadFloor, ADistanceThatNoDesignOfTheBoxReachesHasNoFloor) {
     EXPECT_EQ(floor.at_least_reaching(1e4 / one.branch.mode.chain, reaching, 0.1, box), infinity);
 }
 
-/// A random design of a branch, and the distances that it covers between two of its openings; no linkage where these are out of order.
-struct DesignAtDistances {
-  DesignAtDistances(const LoadedBranch& one, test::SpecDice& dice)
-      : t(dice.log_uniform(0.3, 3)), w(dice.log_uniform(1e3, 1e5)) {
-    const bounding::ModeFacts& mode = one.branch.mode;
-    const double far_psi = dice.uniform(mode.far_end + 0.05, mode.near_end - 0.05),
-                 near_psi = dice.uniform(far_psi, mode.near_end - 0.05);
-    if (!(far_psi < near_psi)) return;
-    linkage =
-        bounding::linkage_of(one.spec, one.branch, std::sqrt(w / t / 2), std::sqrt(w * t / 2), Point::Zero())
-            .value();
-    const double far = one.branch.opening_of(far_psi), near = one.branch.opening_of(near_psi);
-    openings = {std::min(far, near), std::max(far, near)};
-    const double nearest = linkage->radius_at(near), farthest = linkage->radius_at(far);
-    distances = {nearest, farthest, 1, farthest * farthest - nearest * nearest};
-  }
-  double t, w;
-  std::optional<CopyingLinkage> linkage;
-  OpeningInterval openings{};
-  bounding::PoleDistances distances{};
-};
-
 TEST(LoadFloor, LeavesOutNoBoxWithADesignThatKeepsTheLimit) {
   test::SpecDice dice(416);
   int left_out = 0, without_an_opening = 0, without_a_distance = 0, kept = 0;
@@ -200,41 +155,6 @@ TEST(LoadFloor, LeavesOutNoBoxWithADesignThatKeepsTheLimit) {
   EXPECT_GT(without_an_opening, test::expected(50));
   EXPECT_GT(without_a_distance, test::expected(20));
   EXPECT_GT(kept, test::expected(200));
-}
-
-TEST(LoadTrade, NoBoxWithABetterDesignIsSaidToHaveNone) {
-  test::SpecDice dice(417);
-  int without = 0, beyond_the_floor = 0, better = 0;
-  for (int i = 0; i < test::samples(10000); ++i) {
-    LoadedBranch one = random_branch(dice);
-    const bounding::ModeFacts& mode = one.branch.mode;
-    const DesignAtDistances design(one, dice);
-    if (!design.linkage) continue;
-    const auto& [t, w, linkage, openings, distances] = design;
-    const double wide = dice.log_uniform(1e-6, 0.1), apart = dice.uniform(0, 1);
-    const bounding::LengthBox box{{t / (1 + wide * apart), t * (1 + wide)},
-                                  {w / (1 + wide * dice.uniform(0, 1)), w * (1 + wide)}};
-    const auto about = [&](double figure) { return figure * (1 + wide * dice.uniform(-0.1, 0.1)); };
-    const double has = load_error_profile(one.spec, one.spec.copy.k(), mode.grounding)
-                           .over({linkage->VA(), linkage->VB()}, openings)
-                           .worst;
-    const double angle =
-        std::min(linkage->transmission_angle(openings.lower), linkage->transmission_angle(openings.upper));
-    one.spec.limits.load_error = about(has);
-    const double wanted = about(angle);
-    const auto size = dice.one_in(2) ? std::optional(about(linkage->size())) : std::nullopt;
-    const bool is_better =
-        has <= *one.spec.limits.load_error && angle > wanted && (!size || linkage->size() < *size);
-    const bool has_none = bounding::LoadTrade(one.spec, mode).none_better(distances, box, wanted, size);
-    EXPECT_FALSE(is_better && has_none) << i;
-    without += has_none;
-    beyond_the_floor +=
-        has_none && !bounding::LoadFloor(one.spec, mode).exceeded_by_all(distances, wanted, box);
-    better += is_better;
-  }
-  EXPECT_GT(without, test::expected(40));
-  EXPECT_GT(beyond_the_floor, test::expected(40));
-  EXPECT_GT(better, test::expected(200));
 }
 
 /// A plagiograph beside a fence.
