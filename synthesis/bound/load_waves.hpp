@@ -4,6 +4,8 @@
 // At one opening d the pen gives way in one direction by a sum of squares (synthesis/loads/load_error.hpp): of the components of forces, each
 // times a power of VA or VB, all over sin^2 d. Times the sine each component is a wave a + b cos d + c sin d + e cos 2d + f sin 2d, with no
 // pole at a change point. So a linkage keeps its limit only where the root of the sum of the waves' squares, in limits, is at most the sine.
+//
+// Over a wide range of openings the floor of load_floor.hpp, in which most components stand without the sine, is the higher one.
 
 #include <array>
 #include <vector>
@@ -74,6 +76,7 @@ Wave touching_from_below(const std::vector<LoadWave>& waves, const Phase& d);
 struct SlopesOfRoot {
   Interval by_log_t, by_log_w;
 };
-SlopesOfRoot slopes_of_root(const std::vector<LoadWave>& waves, const Phase& d, const Phase& all, const Interval& about);
+SlopesOfRoot slopes_of_root(const std::vector<LoadWave>& waves, const Phase& d, const Phase& all,
+                            const Interval& about);
 
 }  // namespace kempe::bounding

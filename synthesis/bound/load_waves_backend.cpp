@@ -63,10 +63,12 @@ LoadWaves::LoadWaves(const Spec& spec, const ModeFacts& mode) {
   const OutwardRounding rounding;
   const double opening = std::arg(mode.s) + mode.bend * 0.5 * (mode.far_end + mode.near_end);
   sign_ = std::sin(opening) < 0 ? -1 : 1;
-  const IntervalComplex s = widened(mode.s), one = exactly(1.0), left = exactly({0, 1}), minus = exactly(-1.0);
+  const IntervalComplex s = widened(mode.s), one = exactly(1.0), left = exactly({0, 1}),
+                        minus = exactly(-1.0);
   const IntervalComplex plate{length(s), Interval(0)}, direction{s.re / plate.re, s.im / plate.re};
   const IntervalComplex side = left * (one - s);
-  const Interval width(spec.links.style.width), area = width * spec.links.style.thickness, E(spec.material->E);
+  const Interval width(spec.links.style.width), area = width * spec.links.style.thickness,
+                                                E(spec.material->E);
   const Interval factor = pen_is_at_V(mode.grounding) ? 1.0 / squared_length(s - one) : Interval(1);
   const Interval limit(*spec.limits.load_error * (1 + slack::load_limit));
   const Interval per_limit = Interval(most_force_at_pen(*spec.load)) * factor / limit;
@@ -76,11 +78,11 @@ LoadWaves::LoadWaves(const Spec& spec, const ModeFacts& mode) {
   const TurningForce bar_VA = side * e, bar_VB = fixed(minus * side);
   const auto sine = [](const IntervalComplex& v) { return sine_times(fixed(v)); };
   const TurningPlate ACX{{{cosine_times(bar_VA), minus * sine_times(bar_VA)},
-                         {s * sine_e + minus * cosine_times(bar_VA), left * sine_e},
-                         {plate * sine_e, plate * (left * sine_e)}}};
+                          {s * sine_e + minus * cosine_times(bar_VA), left * sine_e},
+                          {plate * sine_e, plate * (left * sine_e)}}};
   const TurningPlate BCY{{{cosine_times(bar_VB), sine_times(bar_VB)},
-                         {bar_VA + sine(minus * s), sine(minus * (left * s))},
-                         {sine(direction), sine(left * direction)}}};
+                          {bar_VA + sine(minus * s), sine(minus * (left * s))},
+                          {sine(direction), sine(left * direction)}}};
   const auto add_plate = [&](const std::array<PlateArm, 2>& arms, const TurningPlate& forces, bool is_of_VA) {
     for (const PlateArm& arm : arms) {
       const Interval length = widened(arm.length);
@@ -133,7 +135,8 @@ Wave touching_from_below(const std::vector<LoadWave>& waves, const Phase& d) {
   return 1.0 / CGAL::sqrt(squares) * sum;
 }
 
-SlopesOfRoot slopes_of_root(const std::vector<LoadWave>& waves, const Phase& d, const Phase& all, const Interval& about) {
+SlopesOfRoot slopes_of_root(const std::vector<LoadWave>& waves, const Phase& d, const Phase& all,
+                            const Interval& about) {
   Interval sum(0), by_log_t(0), by_log_w(0);
   for (const LoadWave& one : waves) {
     const Interval square = CGAL::square(one.wave.at(d) + about * one.wave.derivative().at(all));

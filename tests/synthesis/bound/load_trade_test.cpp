@@ -69,12 +69,14 @@ struct Wanted {
   std::optional<double> size;
   /// With `room`, a factor, designs that miss it by so much are better too.
   bool is_kept_by(const Given& has, double room = 1) const {
-    return has.load <= load * room && has.transmission > transmission / room && (!size || has.size < *size * room);
+    return has.load <= load * room && has.transmission > transmission / room &&
+           (!size || has.size < *size * room);
   }
 };
 
 /// The figures of some designs of a box.
-std::vector<Given> designs_in(const LoadedBranch& one, const DesignInABox& in, int count, test::SpecDice& dice) {
+std::vector<Given> designs_in(const LoadedBranch& one, const DesignInABox& in, int count,
+                              test::SpecDice& dice) {
   std::vector<Given> designs;
   const auto of = [&](const bounding::Range& range) { return dice.uniform(range.lower, range.upper); };
   for (int i = 0; i < count; ++i) {
@@ -103,8 +105,8 @@ TEST(LoadTrade, NoBoxWithABetterDesignIsSaidToHaveNone) {
     const Wanted wanted{about(has->load), about(has->transmission),
                         dice.one_in(2) ? std::optional(about(has->size)) : std::nullopt};
     one.spec.limits.load_error = wanted.load;
-    const bool has_none =
-        bounding::LoadTrade(one.spec, one.branch.mode).none_better(in.places, in.box, wanted.transmission, wanted.size);
+    const bool has_none = bounding::LoadTrade(one.spec, one.branch.mode)
+                              .none_better(in.places, in.box, wanted.transmission, wanted.size);
     without += has_none;
     if (!has_none && !wanted.is_kept_by(*has)) continue;
     ++with;
@@ -157,7 +159,8 @@ TEST(LoadWaves, TheirSquaresAreTheLoadErrorOverItsLimit) {
     const double psi = some_psi(), other = some_psi();
     const OutwardRounding rounding;
     const bounding::LoadWaves loads(one.spec, mode);
-    const bounding::Phase there = bounding::phase_at(mode, Interval(psi)), elsewhere = bounding::phase_at(mode, Interval(other));
+    const bounding::Phase there = bounding::phase_at(mode, Interval(psi)),
+                          elsewhere = bounding::phase_at(mode, Interval(other));
     const auto waves = loads.of(Interval(VA), Interval(VB), there);
     const auto root_at = [&](const bounding::Phase& d) {
       Interval sum(0);
