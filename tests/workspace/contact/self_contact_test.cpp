@@ -109,8 +109,9 @@ TEST(SelfContact, SmallestGapOverAnIntervalIsNeverBelowItAndIsAttained) {
     const auto keeps = [&](double clearance) {
       const auto pairs = contact_pairs(linkage, layers);
       const auto nearer = pair_nearer_than(clearance, linkage, style, pairs, within);
-      if (nearer)
+      if (nearer) {
         EXPECT_LT(smallest_gap_over(linkage, style, std::vector{pairs[*nearer]}, within).gap, clearance);
+      }
       return !nearer;
     };
     EXPECT_TRUE(keeps(tightest.gap));
