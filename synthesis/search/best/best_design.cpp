@@ -59,10 +59,13 @@ std::span<Prospect> next_group(const SearchTask& task, std::span<Prospect> rest,
 
 bool has_any(const Incumbent& best) { return best.result.feasible || best.design; }
 
-/// `asks_for_proof`: where nothing is found, that no design keeps the limit on the load error; asked once, as soon as no choice that is left
-/// keeps it without contact.
+/// `asks_for_proof`: that no design keeps the limit on the load error. A little is spent on it at first, where the tree has not been asked
+/// already; where nothing is found, more, once, as soon as no choice that is left keeps the limit without contact.
 SearchResult best_by(const Strategy& strategy, const SearchTask& task,
                      const std::vector<RelaxedDesign>& known, bool asks_for_proof) {
+  const ProofBudget& proof = task.budgets().proof;
+  if (asks_for_proof && !suits_tree_search(task) && none_keeps_loads(task, proof.boxes_at_first_under_load))
+    return {.proven_none = true};
   Incumbent best;
   std::vector<Prospect> order = strategy.relax(task, known, best);
   std::size_t searched = 0;
@@ -71,7 +74,8 @@ SearchResult best_by(const Strategy& strategy, const SearchTask& task,
     best.evaluations += relax_under_load(task, rest, best.result);
     if (asks_for_proof && !has_any(best) && !rest.front().relaxed.feasible) {
       asks_for_proof = false;
-      if (none_keeps_loads(task)) return {.proven_none = true, .evaluations = best.evaluations};
+      if (none_keeps_loads(task, proof.boxes_under_load))
+        return {.proven_none = true, .evaluations = best.evaluations};
     }
     const std::span<Prospect> group = next_group(task, rest, searched, best.result);
     const std::vector<ChoiceResult> found = search_group(strategy, task, group, best.result);
@@ -79,7 +83,8 @@ SearchResult best_by(const Strategy& strategy, const SearchTask& task,
     report(task, searched += group.size(), order.size());
   }
   strategy.finish(task, best);
-  const bool proven_none = asks_for_proof && !best.design && !task.stopped() && none_keeps_loads(task);
+  const bool proven_none =
+      asks_for_proof && !best.design && !task.stopped() && none_keeps_loads(task, proof.boxes_under_load);
   return {.design = best.design,
           .stopped = task.stopped(),
           .proven_none = proven_none,

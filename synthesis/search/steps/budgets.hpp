@@ -19,8 +19,10 @@ namespace kempe {
 struct ProofBudget {
   /// Boxes of the bound's tree: some tenths of a second at most. Less, and specs without a design are searched in vain.
   std::size_t boxes = 20000;
-  /// The same with the limit on the load error, of which it is asked only where nothing was found: at worst two seconds.
+  /// The same with the limit on the load error, where nothing was found: at worst two seconds.
   std::size_t boxes_under_load = 200'000;
+  /// The same before the search, for goals that the tree itself does not search for: some milliseconds.
+  std::size_t boxes_at_first_under_load = 2'000;
   /// The same for known lengths, where only the pole is free: a handful are enough nearly always.
   std::size_t boxes_of_locked_lengths = 300;
 };

@@ -30,6 +30,7 @@ std::optional<FoundDesign> first_design(const SearchTask& task, const std::vecto
 /// `options`: of the tree, whose goal and limits are the task's.
 bool none_keeps_loads(const SearchTask& task, const Spec& spec, BoundOptions options) {
   if (!task.limits.load_error || task.goal == Goal::pole_margin || task.limits.pole_margin > 0) return false;
+  options.tolerance = 1;  // the first design ends it
   options.load_limit = true;
   options.shortest = task.limits.shortest;
   options.stop = task.stop();
@@ -60,8 +61,8 @@ std::optional<ProvenBound> prove(const SearchTask& task, const StopFlag& stop) {
   return bound;
 }
 
-bool none_keeps_loads(const SearchTask& task) {
-  return none_keeps_loads(task, spec_for_tree(task), {.boxes = task.budgets().proof.boxes_under_load});
+bool none_keeps_loads(const SearchTask& task, std::size_t boxes) {
+  return none_keeps_loads(task, spec_for_tree(task), {.boxes = boxes});
 }
 
 bool is_too_soft_anywhere(const SearchTask& task, const Spec& locked) {

@@ -14,8 +14,8 @@ std::optional<ProvenBound> prove(const SearchTask& task, const StopFlag& stop);
 /// The task's spec as the tree is asked: with the task's limits, and the obstacles in reach alone.
 Spec spec_for_tree(const SearchTask& task);
 
-/// Whether the tree proves that no design keeps the limit on the load error beside the task's others.
-bool none_keeps_loads(const SearchTask& task);
+/// Whether a tree of so many boxes proves that no design keeps the limit on the load error beside the task's others.
+bool none_keeps_loads(const SearchTask& task, std::size_t boxes);
 
 /// The same of the task's spec with both lengths locked, without contact: these lengths are too soft wherever the pole stands.
 bool is_too_soft_anywhere(const SearchTask& task, const Spec& locked);
