@@ -83,6 +83,7 @@ class Tree {
     options.load_limit = false;
     options.progress = {};
     Tree tree(spec_, objective_, options, nullptr, shared_);
+    tree.value_near_ = trials_->without_load_limit;
     for (auto open = open_; !open.empty(); open.pop()) tree.open_without_loads(open.top());
     for (const TreeNode& node : left_to_loads_) tree.open_without_loads(node);
     tree.grow_until(options.tolerance);
@@ -136,7 +137,7 @@ class Tree {
       if (options_.self_contact && !shared_->cuts.rule_out(node, branch_of(node), boxes_)) continue;
       if (!rule_out_by_obstacles(node, false)) continue;
       if (are_tried(++opened_)) designs_.try_in(node, branch_of(node), obstacles_of(node), loads_of(node));
-      if (trials_ && sees_loads() && opened_ == next_leap_) leap_to(node), next_leap_ *= 2;
+      if (opened_ == next_leap_) leap_to(node), next_leap_ *= 2;
       if (sees_obstacles() && opened_ % looked_further_every == 0)
         obstacles_of(node)->look_further(design_box(node), node.alive);
       split(node);
@@ -151,9 +152,14 @@ class Tree {
   }
 
   /// Tries the middle of a box out, whatever limits it breaks: under a limit on the load error the best designs lie where limits meet, and
-  /// designs that keep all of them are met there late.
+  /// designs that keep all of them are met there late. So are those of the tree that goes on without that limit.
   void leap_to(const TreeNode& node) {
-    if (const auto middle = middle_of(node))
+    if (!value_near_ && !(trials_ && sees_loads())) return;
+    const auto middle = middle_of(node);
+    if (!middle) return;
+    if (value_near_)
+      designs_.learn_of(node, branch_of(node), *middle, value_near_);
+    else
       designs_.leap_to(node, branch_of(node), *middle, obstacles_of(node));
   }
 
@@ -398,7 +404,9 @@ class Tree {
   std::priority_queue<TreeNode, std::vector<TreeNode>, bounding::LessPromising> open_;
   std::array<std::optional<double>, 3> by_grounding_;
   std::size_t boxes_ = 0, opened_ = 0;
-  std::size_t next_leap_ = 32;                             // boxes opened
+  std::size_t next_leap_ = 32;  // boxes opened
+  std::function<std::optional<double>(const RelaxedDesign&)>
+      value_near_{};                                       // of a tree that goes on without the load limit
   static constexpr std::size_t told_every = 64;            // boxes
   static constexpr std::size_t looked_further_every = 64;  // boxes
   double tolerance_ = options_.tolerance;                  // that the tree grows to now

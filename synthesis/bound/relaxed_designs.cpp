@@ -135,11 +135,17 @@ void RelaxedDesigns::look_at(const Box& box, const Candidate& candidate) {
   best_ = candidate.value;
 }
 
+void RelaxedDesigns::learn_of(const TreeNode& node, const Branch& branch, RelaxedDesign design,
+                              const std::function<std::optional<double>(const RelaxedDesign&)>& value_near) {
+  if (node.alive.empty()) return;
+  design.layers = branch.layers[node.alive.first()].layers;
+  if (const auto value = value_near(design)) best_ = std::min(best_, by_size_ ? *value : -*value);
+}
+
 void RelaxedDesigns::leap_to(const TreeNode& node, const Branch& branch, RelaxedDesign design,
                              ObstacleTest* obstacles) {
-  std::size_t layers = 0;
-  while (layers < branch.layers.size() && !node.alive.has(layers)) ++layers;
-  if (trials_are_used_up() || layers == branch.layers.size()) return;
+  if (trials_are_used_up() || node.alive.empty()) return;
+  const std::size_t layers = node.alive.first();
   design.layers = branch.layers[layers].layers;
   try_out(obstacles, node.branch, layers, design);
 }

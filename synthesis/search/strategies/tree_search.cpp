@@ -2,12 +2,18 @@
 
 #include <cmath>
 
+#include "synthesis/search/steps/certify.hpp"
 #include "synthesis/search/steps/prove.hpp"
 #include "synthesis/search/steps/slack.hpp"
 #include "synthesis/search/strategies/strategy.hpp"
 
 namespace kempe {
 namespace {
+
+bool is_of(const RelaxedDesign& design, const Choice& choice) {
+  return choice.grounding == design.grounding && choice.assembly_mode == design.assembly_mode &&
+         choice.layers == design.layers;
+}
 
 class TreeSearch {
  public:
@@ -50,6 +56,7 @@ class TreeSearch {
 
   Trials trials() {
     return {.run = [this](const RelaxedDesign& start) { return try_from(start); },
+            .without_load_limit = [this](const RelaxedDesign& start) { return value_without_load(start); },
             .most = task_.budgets().tree.trials,
             .places = task_.space().tracer_places(),
             .margin = slack::inward_obstacle * task_.space().layout().unit,
@@ -61,10 +68,7 @@ class TreeSearch {
     Trial trial;
     trial.in_vain = true;
     for (Prospect& prospect : prospects_)
-      if (const Choice& choice = prospect.subproblem.choice->choice;
-          choice.grounding == start.grounding && choice.assembly_mode == start.assembly_mode &&
-          choice.layers == start.layers)
-        try_from(start, prospect, trial);
+      if (is_of(start, prospect.subproblem.choice->choice)) try_from(start, prospect, trial);
     if (best_.result.feasible) trial.best = is_maximized(task_.goal) ? -best_.result.cost : best_.result.cost;
     return trial;
   }
@@ -82,10 +86,32 @@ class TreeSearch {
                             problem.places().end());
   }
 
+  /// Of the local solution from `start` on, certified.
+  std::optional<double> value_without_load(const RelaxedDesign& start) {
+    if (!without_load_) {
+      Requirements limits = task_.limits;
+      limits.load_error.reset();
+      without_load_ = task_.with(limits, task_.goal);
+      subproblems_without_load_ = without_load_->subproblems();
+    }
+    for (Subproblem& sub : subproblems_without_load_) {
+      if (!is_of(start, sub.choice->choice)) continue;
+      const DesignPoint point{{std::log(start.VA), std::log(start.VB)}, start.pole};
+      const ChoiceResult found =
+          certified(*without_load_, sub, refine(*sub.problem, point, task_.budgets().local, task_.stop()));
+      best_.evaluations += found.evaluations;
+      if (found.feasible) return is_maximized(task_.goal) ? -found.cost : found.cost;
+    }
+    return std::nullopt;
+  }
+
   const SearchTask& task_;
   const Strategy& strategy_;
   std::vector<Prospect> prospects_;
   Incumbent best_;
+  std::optional<SearchTask>
+      without_load_{};  ///< the task without its limit on the load error, once it is asked for
+  std::vector<Subproblem> subproblems_without_load_{};
 };
 
 }  // namespace
