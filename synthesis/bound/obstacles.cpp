@@ -322,11 +322,6 @@ struct ObstacleTest::Look {
     ++seen.places.back().terms;
   }
 
-  void forget_what_was_seen() {
-    seen = {};
-    gaps.clear();
-  }
-
   /// What was looked at and is nearer than `reach` (mm), beyond the clearance.
   PlacesWithTerms nearer_than(double reach) const {
     PlacesWithTerms near;

@@ -54,14 +54,6 @@ void relax_one(const SearchTask& task, Prospect& prospect, const ChoiceResult* w
   prospect.relaxed = search_choice(problem, options);
 }
 
-/// The task without its limit on the load error, if it has one that the goal leaves out.
-std::optional<SearchTask> task_without_load(const SearchTask& task) {
-  if (!task.limits.load_error || task.goal == Goal::load_error) return std::nullopt;
-  Requirements limits = task.limits;
-  limits.load_error.reset();
-  return task.with(limits, task.goal);
-}
-
 /// With the limit on the load error, for all that differ from the first in their layers alone.
 void relax_first_under_load(const SearchTask& task, std::span<Prospect> order) {
   Prospect& first = order.front();
@@ -84,7 +76,7 @@ std::vector<Prospect> prospects_of(const SearchTask& task, std::vector<Subproble
   for (Subproblem& sub : subproblems) prospects.push_back({std::move(sub)});
   remember(prospects, known);
   const auto groups = alike_in(prospects);
-  const std::optional<SearchTask> at_first = task_without_load(task);
+  const std::optional<SearchTask> at_first = without_load_limit(task);
   run_parallel(groups.size(), task.control.options().threads, [&](std::size_t i) {
     Prospect& first = prospects[groups[i].front()];
     relax_one(at_first ? *at_first : task, first);
@@ -110,7 +102,7 @@ std::vector<Prospect> relax(const SearchTask& task, const std::vector<RelaxedDes
 }
 
 std::vector<Prospect> relax_without_load(const SearchTask& task, const std::vector<RelaxedDesign>& known) {
-  const std::optional<SearchTask> without = task_without_load(task);
+  const std::optional<SearchTask> without = without_load_limit(task);
   if (!without) return relax(task, known);
   std::vector<Prospect> prospects = prospects_of(*without, task.subproblems(), known);
   for (Prospect& prospect : prospects) prospect.lacks_load_limit = true;

@@ -13,6 +13,13 @@ SearchTask posed_for_its_limits(const SearchTask& task) {
           task.goal};
 }
 
+std::optional<SearchTask> without_load_limit(const SearchTask& task) {
+  if (!task.limits.load_error || task.goal == Goal::load_error) return std::nullopt;
+  Requirements limits = task.limits;
+  limits.load_error.reset();
+  return task.with(limits, task.goal);
+}
+
 bool has_stock_lengths(const Spec& spec) {
   return spec.links.stock_lengths.grid || !spec.links.stock_lengths.stock.empty();
 }

@@ -1,6 +1,8 @@
 #pragma once
 // What a search is asked, and how it is to work: the one argument that all steps and strategies share.
 
+#include <optional>
+
 #include "synthesis/search/steps/choice_search.hpp"
 #include "synthesis/search/steps/search_control.hpp"
 #include "synthesis/search/steps/search_problem.hpp"
@@ -33,6 +35,9 @@ SearchTask pose(const Spec& spec, SearchControl control);
 
 /// The same task; where its limits reach farther than its problem was posed for, with a problem posed for them.
 SearchTask posed_for_its_limits(const SearchTask& task);
+
+/// The same task without its limit on the load error; nothing if it has none, or if that error is its goal.
+std::optional<SearchTask> without_load_limit(const SearchTask& task);
 
 /// True if lengths come from a grid or a stock.
 bool has_stock_lengths(const Spec& spec);

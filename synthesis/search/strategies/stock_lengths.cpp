@@ -73,8 +73,8 @@ SearchResult best_with_exact_ratio(const Stock& stock) {
       candidates_near(task.with(quick_goal(task.goal)), stock.prospects, shapes, stock.any_lengths);
   const bool by_size = quick_goal(task.goal) == Goal::size;
   auto [result, tried] = best_candidate(stock, near, by_size ? budget.enough_by_size : budget.enough);
-  if (task.goal ==
-      Goal::size) {  // the smallest works first; what is smaller and has been tried does not work
+  // The smallest works first; what is smaller and has been tried does not work.
+  if (task.goal == Goal::size) {
     const double largest = result.design ? result.design->value : std::numeric_limits<double>::infinity();
     auto by_rising_size = candidates_by_size(task, stock.prospects, shapes, stock.any_lengths, largest);
     leave_out(by_rising_size, std::span(near).first(tried));

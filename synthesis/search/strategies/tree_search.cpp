@@ -89,10 +89,8 @@ class TreeSearch {
   /// Of the local solution from `start` on, certified.
   std::optional<double> value_without_load(const RelaxedDesign& start) {
     if (!without_load_) {
-      Requirements limits = task_.limits;
-      limits.load_error.reset();
-      without_load_ = task_.with(limits, task_.goal);
-      subproblems_without_load_ = without_load_->subproblems();
+      without_load_ = without_load_limit(task_);
+      if (without_load_) subproblems_without_load_ = without_load_->subproblems();
     }
     for (Subproblem& sub : subproblems_without_load_) {
       if (!is_of(start, sub.choice->choice)) continue;
@@ -109,8 +107,7 @@ class TreeSearch {
   const Strategy& strategy_;
   std::vector<Prospect> prospects_;
   Incumbent best_;
-  std::optional<SearchTask>
-      without_load_{};  ///< the task without its limit on the load error, once it is asked for
+  std::optional<SearchTask> without_load_{};  ///< once it is asked for
   std::vector<Subproblem> subproblems_without_load_{};
 };
 
