@@ -45,6 +45,12 @@ struct PoleDistances {
   double squares_at_least = 0;   ///< lower bound of farthest^2 - nearest^2, mm^2
 };
 
+/// Two places of the region, which every design has to reach, known to within `rounding` (mm).
+struct ReachedPlaces {
+  Point near, far;  ///< nearest to a pole and farthest from it: of a box of poles, the one in its middle
+  double rounding = 0;
+};
+
 /// Lengths: t = b/a and w = 2ab (mm^2).
 struct LengthBox {
   Range t, w;

@@ -137,13 +137,6 @@ double transmission_with(const ModeFacts& mode, double weight, double needed) {
 double arc_at_most(double cosine_at_least) { return arc_cosine(Interval(cosine_at_least)).sup(); }
 double arc_at_least(double cosine_at_most) { return arc_cosine(Interval(cosine_at_most)).inf(); }
 
-struct Lengths {
-  Interval a, b;
-};
-Lengths lengths_of(double t, double w) {
-  return {CGAL::sqrt(Interval(w) / (2.0 * Interval(t))), CGAL::sqrt(Interval(w) * Interval(t) / 2.0)};
-}
-
 /// Five corners whose hull holds every (a, b) of a box: its four corners, and where the tangents meet that
 /// touch the lower hyperbola ab = w/2 at its ends (the upper hyperbola lies within its chord already).
 std::array<Lengths, 5> hull_of(const LengthBox& lengths) {

@@ -24,12 +24,6 @@ namespace kempe::bounding {
 
 class LoadWaves;
 
-/// Two places of the region that every design has to reach, known to within `rounding` (mm).
-struct ReachedPlaces {
-  Point near, far;  ///< those nearest to and farthest from the middle of a box of poles
-  double rounding = 0;
-};
-
 /// Lengths, and places of the pole (mm).
 struct DesignRange {
   LengthBox lengths;

@@ -12,8 +12,8 @@
 namespace kempe::bounding {
 namespace {
 
-/// Of a design: logarithms of t and w, and where the pole stands.
-constexpr std::size_t coordinates = 4;
+/// Of a design: logarithms of t (H(t) is the hyperbolic cosine of the first) and w, and where the pole stands.
+constexpr std::size_t log_t = 0, log_w = 1, pole_x = 2, pole_y = 3, coordinates = 4;
 using Slopes = std::array<Interval, coordinates>;
 using HalfWidths = std::array<double, coordinates>;
 
@@ -44,12 +44,6 @@ struct Question {
   std::optional<double> size;
 };
 
-/// H(t) = cosh of the first coordinate, with its slope.
-struct Chain {
-  Interval H, slope;
-};
-Chain chain_at(const Interval& t) { return {(t + 1.0 / t) / 2.0, (t - 1.0 / t) / 2.0}; }
-
 /// (c r)^2 / w with the tracer at a place; of its logarithm the slopes in the middle, and what it is off by from what they tell.
 struct Reached {
   Interval middle, all;
@@ -64,11 +58,11 @@ std::optional<Reached> reached_at(const Question& asked, const Point& place) {
   const Interval x = Interval(asked.pole.x()) - place.x() + about,
                  y = Interval(asked.pole.y()) - place.y() + about;
   const Interval middle = square(x, y);
-  const Interval all =
-      square(x + Interval(-asked.half[2], asked.half[2]), y + Interval(-asked.half[3], asked.half[3]));
+  const Interval all = square(x + Interval(-asked.half[pole_x], asked.half[pole_x]),
+                              y + Interval(-asked.half[pole_y], asked.half[pole_y]));
   if (all.inf() <= 0) return std::nullopt;
   // The logarithm of r^2 is harmonic: along any direction its second derivative is 2 / r^2 at most.
-  const double off = (square(Interval(asked.half[2]), Interval(asked.half[3])) / all.inf()).sup();
+  const double off = (square(Interval(asked.half[pole_x]), Interval(asked.half[pole_y])) / all.inf()).sup();
   const Interval chain = CGAL::square(widened(asked.mode.chain));
   return Reached{chain * middle / Interval(asked.w), chain * all / whole(asked.box.lengths.w),
                  2.0 * x / middle, 2.0 * y / middle, Interval(-off, off)};
@@ -82,16 +76,16 @@ struct CosineAtPlace {
 };
 
 CosineAtPlace cosine_of(const Question& asked, const Reached& reached) {
-  const Chain one = chain_at(Interval(asked.t));
   const Interval H = H_over(asked.box.lengths.t);
-  const double far = (Interval(asked.half[1]) + CGAL::abs(reached.by_x) * asked.half[2] +
-                      CGAL::abs(reached.by_y) * asked.half[3] + reached.off)
+  const double far = (Interval(asked.half[log_w]) + CGAL::abs(reached.by_x) * asked.half[pole_x] +
+                      CGAL::abs(reached.by_y) * asked.half[pole_y] + reached.off)
                          .sup();
-  return {reached.middle - one.H,
+  return {reached.middle - H_at(asked.t),
           reached.all - H,
-          {-one.slope, -reached.middle, reached.middle * reached.by_x, reached.middle * reached.by_y},
+          {-H_slope(Interval(asked.t)), -reached.middle, reached.middle * reached.by_x,
+           reached.middle * reached.by_y},
           reached.middle * reached.off + reached.all * CGAL::square(Interval(far)) * Interval(0, 0.5) -
-              H * CGAL::square(Interval(asked.half[0])) * Interval(0, 0.5)};
+              H * CGAL::square(Interval(asked.half[log_t])) * Interval(0, 0.5)};
 }
 
 /// Root(load error / limit) - 1, times the sine of d. At one psi it is a convex function of the lengths' logarithms, so it is nowhere below its
@@ -106,9 +100,8 @@ std::optional<Figure> load_figure(const Question& asked, const CosineAtPlace& co
   if (sine_there.inf() <= 0) return std::nullopt;
   const ModeFacts& mode = asked.mode;
   const Phase there = phase_at(mode, Interval(start)), all = phase_at(mode, whole(psi));
-  const Interval t(asked.t), w(asked.w);
-  const auto waves =
-      asked.loads.of(CGAL::sqrt(w / t / 2.0), CGAL::sqrt(w * t / 2.0) * length(widened(mode.s)), there);
+  const Lengths middle = lengths_of(asked.t, asked.w);
+  const auto waves = asked.loads.of(middle.a, middle.b * length(widened(mode.s)), there);
   const Interval about = mode.bend * (whole(psi) - start);
   const Wave below = touching_from_below(waves, there) + Wave{.c = Interval(-asked.loads.sign_of_sine())};
   const Wave first = below.derivative(), second = first.derivative(), third = second.derivative();
@@ -127,31 +120,31 @@ std::optional<Figure> load_figure(const Question& asked, const CosineAtPlace& co
   Figure figure{below.at(there) + slope * (cosine_of_psi.middle - start_cosine + cosine_of_psi.off) +
                     CGAL::square(cosines - start_cosine) * falls / 2.0,
                 times(slope, cosine_of_psi.along)};
-  figure.along[0] += lengths.by_log_t;
-  figure.along[1] += lengths.by_log_w;
+  figure.along[log_t] += lengths.by_log_t;
+  figure.along[log_w] += lengths.by_log_w;
   return figure;
 }
 
 /// Of the reach, at the near end of psi (side 1) or its far end (-1): side log((H + cos psi) w / (c r)^2).
 std::optional<Figure> end_figure(const Question& asked, const Reached& reached, double side) {
   const Interval end = cosine(Interval(side > 0 ? asked.psi.upper : asked.psi.lower));
-  const Chain one = chain_at(Interval(asked.t)), every = chain_at(whole(asked.box.lengths.t));
+  const Interval slope = H_slope(Interval(asked.t)), slopes = H_slope(whole(asked.box.lengths.t));
   const Interval H = H_over(asked.box.lengths.t);
-  const Interval unfolded = one.H + end, all = H + end;
+  const Interval unfolded = H_at(asked.t) + end, all = H + end;
   if (all.inf() <= 0) return std::nullopt;
-  const Interval curve = H / all - CGAL::square(every.slope / all);
+  const Interval curve = H / all - CGAL::square(slopes / all);
   const Interval value = logarithm(unfolded) - logarithm(reached.middle) +
-                         curve * CGAL::square(Interval(asked.half[0])) * Interval(0, 0.5);
+                         curve * CGAL::square(Interval(asked.half[log_t])) * Interval(0, 0.5);
   return Figure{side * value + reached.off,
-                times(Interval(side), {one.slope / unfolded, Interval(1), -reached.by_x, -reached.by_y})};
+                times(Interval(side), {slope / unfolded, Interval(1), -reached.by_x, -reached.by_y})};
 }
 
 /// A convex function of the lengths' logarithms.
 Figure size_figure(const Question& asked, double size) {
   const ModeFacts& mode = asked.mode;
-  const Interval t(asked.t), w(asked.w),
-      of_a = widened(mode.size_per_a) * CGAL::sqrt(w / t / 2.0) / Interval(size),
-      of_b = widened(mode.size_per_b) * CGAL::sqrt(w * t / 2.0) / Interval(size);
+  const Lengths middle = lengths_of(asked.t, asked.w);
+  const Interval of_a = widened(mode.size_per_a) * middle.a / Interval(size),
+                 of_b = widened(mode.size_per_b) * middle.b / Interval(size);
   return {of_a + of_b - 1.0, {(of_b - of_a) / 2.0, (of_a + of_b) / 2.0, Interval(0), Interval(0)}};
 }
 

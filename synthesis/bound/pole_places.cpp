@@ -74,7 +74,7 @@ bool PolePlaces::measure_distances(TreeNode& node) const {
   return true;
 }
 
-PolePlaces::Ends PolePlaces::ends_from(const Point& pole) const {
+ReachedPlaces PolePlaces::ends_from(const Point& pole) const {
   return {region_.nearest(pole).place, farthest_corner({pole.x(), pole.x()}, {pole.y(), pole.y()}),
           place_rounding_};
 }

@@ -25,12 +25,8 @@ class PolePlaces {
   bool measure(TreeNode& node) const;
   /// The same, whatever the gap between original and copy.
   bool measure_distances(TreeNode& node) const;
-  /// The places of the region that are nearest to the pole and farthest from it, known to within `rounding` (mm).
-  struct Ends {
-    Point near, far;
-    double rounding;
-  };
-  Ends ends_from(const Point& pole) const;
+  /// The places of the region that are nearest to the pole and farthest from it.
+  ReachedPlaces ends_from(const Point& pole) const;
   /// The region's distances from one place, mm; nothing if the pole cannot stand there.
   std::optional<DistanceRange> distances_from(const Point& pole) const;
 

@@ -254,9 +254,9 @@ class Tree {
     if (!(enough < infinity) || node.bound >= enough) return;
     const double transmission =
         by_size_ ? designs_.transmission() : std::max(spec_.limits.transmission, -enough);
-    const auto [near, far, rounding] = shared_->poles.ends_from(node.pole());
-    if (load_trades_[node.branch].none_better({near, far, rounding}, {node.lengths, node.x, node.y},
-                                              transmission, by_size_ ? std::optional(enough) : std::nullopt))
+    if (load_trades_[node.branch].none_better(shared_->poles.ends_from(node.pole()),
+                                              {node.lengths, node.x, node.y}, transmission,
+                                              by_size_ ? std::optional(enough) : std::nullopt))
       node.bound = enough;
   }
 
@@ -404,9 +404,8 @@ class Tree {
   std::priority_queue<TreeNode, std::vector<TreeNode>, bounding::LessPromising> open_;
   std::array<std::optional<double>, 3> by_grounding_;
   std::size_t boxes_ = 0, opened_ = 0;
-  std::size_t next_leap_ = 32;  // boxes opened
-  std::function<std::optional<double>(const RelaxedDesign&)>
-      value_near_{};                                       // of a tree that goes on without the load limit
+  std::size_t next_leap_ = 32;                             // boxes opened
+  ValueNear value_near_{};                                 // of a tree that goes on without the load limit
   static constexpr std::size_t told_every = 64;            // boxes
   static constexpr std::size_t looked_further_every = 64;  // boxes
   double tolerance_ = options_.tolerance;                  // that the tree grows to now

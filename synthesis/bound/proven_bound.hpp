@@ -38,13 +38,15 @@ struct Trial {
   bool in_vain = false;
 };
 
+/// About the value (mm or rad) of a design next to this one; nothing if none is found.
+using ValueNear = std::function<std::optional<double>(const RelaxedDesign&)>;
+
 /// The tree as a search. First it is a bound, but only what the trials made certain counts as known; then, where `tolerance` is smaller than
 /// that of the bound, it goes on with the obstacles where and as far away as the search keeps them, until it closes on the search's own optimum.
 struct Trials {
   std::function<Trial(const RelaxedDesign&)> run;
-  /// About the value (mm or rad) of a design next to this one that keeps all but the limit on the load error; nothing if none is found. Asked only where
-  /// there is such a limit.
-  std::function<std::optional<double>(const RelaxedDesign&)> without_load_limit{};
+  /// Of designs that keep all but the limit on the load error; asked only where there is such a limit.
+  ValueNear without_load_limit{};
   int most = 0;  ///< trials, all of the last box included; the tree ends with them where none led to a design
   std::vector<Point> places{};  ///< of the tracer: where the search looks at obstacles
   double margin = 0;            ///< mm that it keeps away from them beyond the clearance

@@ -136,7 +136,7 @@ void RelaxedDesigns::look_at(const Box& box, const Candidate& candidate) {
 }
 
 void RelaxedDesigns::learn_of(const TreeNode& node, const Branch& branch, RelaxedDesign design,
-                              const std::function<std::optional<double>(const RelaxedDesign&)>& value_near) {
+                              const ValueNear& value_near) {
   if (node.alive.empty()) return;
   design.layers = branch.layers[node.alive.first()].layers;
   if (const auto value = value_near(design)) best_ = std::min(best_, by_size_ ? *value : -*value);

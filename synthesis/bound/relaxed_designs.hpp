@@ -46,7 +46,7 @@ class RelaxedDesigns {
   void leap_to(const TreeNode& node, const Branch& branch, RelaxedDesign design, ObstacleTest* obstacles);
   /// The same where the value of a design next to it is all that is wanted (Trials::without_load_limit).
   void learn_of(const TreeNode& node, const Branch& branch, RelaxedDesign design,
-                const std::function<std::optional<double>(const RelaxedDesign&)>& value_near);
+                const ValueNear& value_near);
 
  private:
   struct Candidate;
