@@ -10,9 +10,10 @@
 //
 //   reach  log((H + cos near end) w / (c r)^2),  log((c r)^2 / (H + cos far end) w)
 //   size   size / best - 1, where size is the goal
-//   load   (root(load error / limit) - 1) sin d in one direction, at each of the two places (load_waves.hpp)
+//   load   (root(load error / limit) - 1) |sin d| in one direction, at each of the two places (load_waves.hpp)
 //
-// Coordinates: the logarithms of t and w, and where the pole stands. A place's distance r is known wherever it stands, and log w goes straight.
+// Coordinates: the logarithms of t and w (box.hpp, with c and H), and where the pole stands, from which a place has the distance r. The reach is
+// linear in the logarithm of w.
 
 #include <memory>
 #include <optional>
@@ -36,8 +37,8 @@ class LoadTrade {
   /// Of a spec with load, material and a limit on the load error.
   LoadTrade(const Spec& spec, const ModeFacts& mode);
 
-  /// True if no design of the box that reaches the places keeps the limit, has a transmission angle above `transmission` (rad) and, where it
-  /// is given, is smaller than `size` (mm). Said with directed rounding; doubles choose the weights.
+  /// True if no design of the box does all of these: reaches both places, keeps the limit, has a transmission angle above `transmission` (rad)
+  /// and, where it is given, is smaller than `size` (mm). Said with directed rounding; doubles choose the weights.
   bool none_better(const ReachedPlaces& places, const DesignRange& box, double transmission,
                    std::optional<double> size) const;
 

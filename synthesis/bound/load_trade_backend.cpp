@@ -88,7 +88,7 @@ CosineAtPlace cosine_of(const Question& asked, const Reached& reached) {
               H * CGAL::square(Interval(asked.half[log_t])) * Interval(0, 0.5)};
 }
 
-/// Root(load error / limit) - 1, times the sine of d. At one psi it is a convex function of the lengths' logarithms, so it is nowhere below its
+/// Root(load error / limit) - 1, times |sin d|. At one psi it is a convex function of the lengths' logarithms, so it is nowhere below its
 /// tangent at those of the middle; and there it is nowhere below a wave, whose slope along the cosine of psi changes by what its second
 /// derivative tells. Nothing where that has no bound.
 std::optional<Figure> load_figure(const Question& asked, const CosineAtPlace& cosine_of_psi) {

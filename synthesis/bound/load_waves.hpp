@@ -2,8 +2,8 @@
 // The load error as waves over the opening, for the proven bound's backends.
 //
 // At one opening d the pen gives way in one direction by a sum of squares (synthesis/loads/load_error.hpp): of the components of forces, each
-// times a power of VA or VB, all over sin^2 d. Times the sine each component is a wave a + b cos d + c sin d + e cos 2d + f sin 2d, with no
-// pole at a change point. So a linkage keeps its limit only where the root of the sum of the waves' squares, in limits, is at most the sine.
+// times a power of VA or VB, all over sin^2 d. Times the sine each component is a wave a + b cos d + c sin d + e cos 2d + f sin 2d, finite
+// at a change point too. So a linkage keeps its limit only where the root of the sum of the waves' squares, in units of the limit, is at most |sin d|.
 //
 // Over a wide range of openings the floor of load_floor.hpp, in which most components stand without the sine, is the higher one.
 
@@ -51,7 +51,7 @@ class LoadWaves {
   /// Of a spec with load, material and a limit on the load error.
   LoadWaves(const Spec& spec, const ModeFacts& mode);
 
-  /// The waves of a linkage with VA and VB (mm), in limits, in the direction in which it gives way most at `d`, about.
+  /// The waves of a linkage with VA and VB (mm), in units of the limit, in the direction in which it gives way most at `d`, about.
   std::vector<LoadWave> of(const Interval& VA, const Interval& VB, const Phase& d) const;
   /// 1 or -1, as the sine of d is over all openings of the assembly mode.
   double sign_of_sine() const { return sign_; }
@@ -72,7 +72,7 @@ class LoadWaves {
 /// waves, each weighted by its share there.
 Wave touching_from_below(const std::vector<LoadWave>& waves, const Phase& d);
 
-/// Slopes of that root along the logarithms of t and w, over the range `all` of which `about` (rad) is what it is away from `d`.
+/// Slopes of that root along the logarithms of t and w, over the range `all` of d; `about` (rad): that range less the place `d`.
 struct SlopesOfRoot {
   Interval by_log_t, by_log_w;
 };
