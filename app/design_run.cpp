@@ -135,6 +135,7 @@ std::string bound_line(const Design& design) {
       "bound        no design {} than {} {}", angle ? "has a larger angle" : "is smaller",
       shown(in_file_unit(design.search->objective, bound), 1 + (angle ? 3 : decimals_for(design.linkage))),
       angle ? "degrees" : "mm");
+  if (design.limits.load_error) text += ", whatever limits.load_error_mm is";
   if (gap > 0.005) text += fmt::format(": {:.1f} % away", 100 * gap);
   return text + "\n";
 }
@@ -246,10 +247,12 @@ std::string loads_lines(const Design& design) {
   if (const auto& loads = design.quality.loads) {
     const double weight = most_force_at_pen(*design.load) - design.load->pen_force;
     text += fmt::format(
-        "load         {:g} N {}at the pen: it gives way by {:.4g} mm at worst, {:.4g} mm in the stiffest "
+        "load         {:g} N {}at the pen: it gives way by {:.4g} mm at worst{}, {:.4g} mm in the stiffest "
         "direction\n",
         design.load->pen_force, weight > 0 ? fmt::format("and {:.3g} N of weight ", weight) : "",
-        loads->error_max, loads->error_min);
+        loads->error_max,
+        design.limits.load_error ? fmt::format(" (limit {:.4g})", *design.limits.load_error) : "",
+        loads->error_min);
     text += fmt::format("             the hand holds {} N against it, the worst pin bears {} N{}\n",
                         three_digits(loads->hand_force_max), three_digits(loads->pin_force_max),
                         loads->weight_error_max ? " with the links' own weight" : "");

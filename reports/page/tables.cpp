@@ -61,7 +61,8 @@ std::string bound_explanation(const Design& design, const std::string& proof_log
   const double value = design.search->value, bound = *design.quality.proven_bound;
   const double share = value != 0 ? std::abs(value - bound) / std::abs(value) * 100 : 0;
   std::string text = fmt::format(
-      "Proven: no design for this spec can do better than this figure. This one is within {}\u202f% of it.",
+      "Proven: no design for this spec can do better than this figure{}. This one is within {}\u202f% of it.",
+      design.limits.load_error ? ", whatever limits.load_error_mm is" : "",
       figure_text(share, share < 1 ? 3 : 1));
   if (!proof_log.empty())
     text += fmt::format(

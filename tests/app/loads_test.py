@@ -57,6 +57,21 @@ class Loads(unittest.TestCase):
     def verify(self, stated):
         return json.loads(kempe("verify", self.written(stated), "--json").stdout)
 
+    def test_under_a_limit_its_figure_is_named_and_that_the_bound_goes_without_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            spec, out = pathlib.Path(folder, "limited.toml"), pathlib.Path(folder, "out")
+            said = {}
+            for limit in ("", "[limits]\nload_error_mm = 0.5\n"):
+                spec.write_text(LOADED + limit)
+                run = kempe("synthesize", spec, "-o", out)
+                self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+                said[bool(limit)] = run.stdout, (out / "report.html").read_text()
+            for text in said[False]:
+                self.assertNotIn("whatever limits.load_error_mm is", text)
+            for text in said[True]:
+                self.assertIn(", whatever limits.load_error_mm is", text)
+            self.assertRegex(said[True][0], r"mm at worst \(limit 0\.5\), ")
+
     def test_a_load_changes_no_design(self):
         _, plain = self.design(TASK, "plain")
         said, loaded = self.design(LOADED, "loaded")
