@@ -109,7 +109,7 @@ std::string give_verdict(const Design& design, const ErrorBudget& budget) {
       "under {} it gives way by <b>{}</b> in the worst direction at the worst place of the region",
       pull_words(*design.load), small_length(error));
   if (const auto& limit = design.limits.load_error) {
-    const std::string text = fmt::format("{}; {} are allowed.", figure, length_text(*limit));
+    const std::string text = fmt::format("{}; {} are allowed.", figure, limit_text(*limit));
     if (!(error <= *limit * (1 + 1e-9))) return "No: " + text;
     const double whole = error + budget.beyond_the_links();
     if (whole <= *limit * (1 + 1e-9))
@@ -153,7 +153,7 @@ std::string sag_verdict(const Design& design) {
   const std::string figure =
       fmt::format("en or tracer sinks by up to <b>{}</b> by weight and play", small_length(sag));
   return limit ? fmt::format(" Down: {}, p{}; {} are allowed.", sag <= *limit * (1 + 1e-9) ? "yes" : "no",
-                             figure, length_text(*limit))
+                             figure, limit_text(*limit))
                : fmt::format(" P{}: the spec sets no limit on this (limits.sag_mm).", figure);
 }
 

@@ -176,8 +176,7 @@ std::string copy_error_figure(const Design& design) {
     return html_key_figure("Robust", q.robust->holds ? length_text(q.robust->clearance, 2) : "not proven",
                            "clearance of every instrument");
   if (!q.copy_error_worst) return {};
-  const std::string limit =
-      design.limits.copy_error ? "limit " + length_text(*design.limits.copy_error, 3) : "";
+  const std::string limit = design.limits.copy_error ? "limit " + limit_text(*design.limits.copy_error) : "";
   if (!q.copy_error_at_corner)
     return html_key_figure("Copy error at worst", length_text(*q.copy_error_worst, 3),
                            limit.empty() ? "under the tolerances" : limit);
@@ -194,14 +193,14 @@ std::string load_error_figure(const Design& design) {
       "Gives way at worst", length_text(error, error < 0.01 ? 4 : 3),
       fmt::format(
           "by its links alone, under {}{}", force_text(most_force_at_pen(*design.load)),
-          design.limits.load_error ? ", limit " + length_text(*design.limits.load_error, 3) : std::string()));
+          design.limits.load_error ? ", limit " + limit_text(*design.limits.load_error) : std::string()));
 }
 
 std::string sag_figure(const Design& design) {
   if (!design.quality.sag) return {};
   return html_key_figure(
       "Sinks at worst", length_text(*design.quality.sag, 2),
-      design.limits.sag ? "limit " + length_text(*design.limits.sag, 2) : "by weight and play");
+      design.limits.sag ? "limit " + limit_text(*design.limits.sag) : "by weight and play");
 }
 
 /// What the load adds to the sag, up or down.
@@ -226,7 +225,7 @@ std::string key_figures(const Design& design) {
                       "limit " + angle_text(design.limits.transmission, 1));
   if (std::isfinite(q.clearance_min))
     html += html_key_figure("Smallest clearance", length_text(q.clearance_min, 2),
-                            "limit " + length_text(design.limits.clearance, 2));
+                            "limit " + limit_text(design.limits.clearance));
   return "<dl class=\"keys\">\n" + html + copy_error_figure(design) + load_error_figure(design) +
          sag_figure(design) + rise_figure(design) + "</dl>\n";
 }

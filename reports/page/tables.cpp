@@ -52,7 +52,7 @@ Requirement at_least(double value, double limit, const std::string& text) {
   return {"≥ " + text, value >= limit * (1 - 1e-9)};
 }
 Requirement at_most(double value, const std::optional<double>& limit) {
-  return limit ? Requirement{"≤ " + length_text(*limit), value <= *limit * (1 + 1e-9)} : Requirement{};
+  return limit ? Requirement{"≤ " + limit_text(*limit), value <= *limit * (1 + 1e-9)} : Requirement{};
 }
 
 /// The bound as a sentence: how much better any design could be.
@@ -146,7 +146,7 @@ class QualityRows {
   void add_clearance() {
     if (!std::isfinite(quality_.clearance_min)) return;
     add("Smallest clearance", length_text(quality_.clearance_min, 3),
-        at_least(quality_.clearance_min, design_.limits.clearance, length_text(design_.limits.clearance)),
+        at_least(quality_.clearance_min, design_.limits.clearance, limit_text(design_.limits.clearance)),
         clearance_explanation(design_));
   }
 
@@ -200,7 +200,7 @@ class QualityRows {
     const auto& robust = quality_.robust;
     if (!robust) return;
     add("Robust clearance", std::isfinite(robust->clearance) ? length_text(robust->clearance, 3) : "none",
-        {"≥ " + length_text(design_.limits.clearance), robust->holds}, robust_explanation(design_));
+        {"≥ " + limit_text(design_.limits.clearance), robust->holds}, robust_explanation(design_));
   }
 
   void add_distortion() {

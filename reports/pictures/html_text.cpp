@@ -127,6 +127,8 @@ std::string length_text(double length, int decimals) {
   return fmt::format("{}{}mm", figure_text(length, decimals), no_break_space);
 }
 
+std::string limit_text(double length) { return fmt::format("{:.6g}{}mm", length, no_break_space); }
+
 std::string force_text(double force, int decimals) {
   return fmt::format("{}{}N", figure_text(force, decimals), no_break_space);
 }

@@ -34,7 +34,9 @@ std::string figure_text(double value, int decimals);
 std::string multiple_text(double value, double step, int decimals);
 /// "12.34 mm" with a no-break space, as figure_text.
 std::string length_text(double length, int decimals = 3);
-/// "12.34 N", the same.
+/// A limit as it was typed, to six digits: "0.0077 mm".
+std::string limit_text(double length);
+/// "12.34 N", as figure_text.
 std::string force_text(double force, int decimals = 2);
 /// "90°" from radians.
 std::string angle_text(double angle, int decimals = 2);

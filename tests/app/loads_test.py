@@ -61,7 +61,7 @@ class Loads(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             spec, out = pathlib.Path(folder, "limited.toml"), pathlib.Path(folder, "out")
             said = {}
-            for limit in ("", "[limits]\nload_error_mm = 0.5\n"):
+            for limit in ("", "[limits]\nload_error_mm = 0.4567\n"):
                 spec.write_text(LOADED + limit)
                 run = kempe("synthesize", spec, "-o", out)
                 self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
@@ -70,7 +70,8 @@ class Loads(unittest.TestCase):
                 self.assertNotIn("whatever limits.load_error_mm is", text)
             for text in said[True]:
                 self.assertIn(", whatever limits.load_error_mm is", text)
-            self.assertRegex(said[True][0], r"mm at worst \(limit 0\.5\), ")
+            self.assertRegex(said[True][0], r"mm at worst \(limit 0\.4567\), ")
+            self.assertIn("limit 0.4567\u202fmm", said[True][1].replace("\u00a0", "\u202f"))
 
     def test_a_load_changes_no_design(self):
         _, plain = self.design(TASK, "plain")
