@@ -72,7 +72,8 @@ SearchOutcome best_of_sections(
     if (auto* none = std::get_if<NoDesign>(&outcome)) {
       proven = proven && none->proven;
       evaluations += none->evaluations;
-      for (Relaxation& relaxation : none->relaxations) relaxation.design.section = section;
+      for (Relaxation& relaxation : none->relaxations)
+        if (!relaxation.design.section) relaxation.design.section = section;
     }
     without = std::move(outcome);
   }

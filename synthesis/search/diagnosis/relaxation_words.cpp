@@ -36,6 +36,11 @@ std::string length_would_do(const std::string& key, double demanded, double poss
   return would_do(name_in(unit, key), demanded / in_mm(unit), possible / in_mm(unit));
 }
 
+std::string section_would_do(const LinkSection& section, SpecUnit unit) {
+  return fmt::format("{}: none is stiff enough; {} x {} would do", name_in(unit, "links.sections_mm"),
+                     six_digits(section.width, unit), six_digits(section.thickness, unit));
+}
+
 std::string would_do(const std::string& key, double demanded, double possible) {
   return fmt::format("{} = {:.6g} is in the way; {:.6g} would do", key, demanded, possible);
 }

@@ -71,6 +71,8 @@ class Questions {
 /// Limits with a value: the least change of it; those that can be left out: without it, where no value does.
 void relax_limits(Questions& questions);
 void relax_copy_gap(Questions& questions);
+/// Where a limit on load error or sag was found to be in the way: wider or thicker links, a stiffer material.
+void relax_stiffness(Questions& questions);
 /// The joints of a link nearer to each other: by shortest_mm, or by wall or pin.
 void relax_joints(Questions& questions);
 /// Obstacles away, one by one or all.

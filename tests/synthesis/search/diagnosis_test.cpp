@@ -1,17 +1,22 @@
 // Exit 3: what is in the way, and the least that would do.
 #include "synthesis/search/diagnosis/diagnosis.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <tuple>
+#include <utility>
 
 #include "specs/hardware.hpp"
+#include "specs/materials.hpp"
 #include "synthesis/search/best/best_design.hpp"
 #include "synthesis/search/diagnosis/plain_reasons.hpp"
 #include "synthesis/search/pareto.hpp"
+#include "synthesis/search/section_search.hpp"
 #include "synthesis/search/steps/design_check.hpp"
 #include "synthesis/search/steps/obstacle_check.hpp"
 #include "tests/samples.hpp"
@@ -30,6 +35,7 @@ Requirements with(Requirements limits, Goal goal, double value) {
     case Goal::copy_gap: limits.copy_gap = value; break;
     case Goal::copy_error: limits.copy_error = value; break;
     case Goal::pole_margin: limits.pole_margin = value; break;
+    case Goal::load_error: limits.load_error = value; break;
     default: ADD_FAILURE() << "not a limit";
   }
   return limits;
@@ -95,6 +101,16 @@ Spec as_told(Spec spec, const std::string& key, const std::string& sentence) {
   if (key == "links.wall_mm") spec.links.wall = value();
   if (key == "links.pin_diameter_mm") spec.links.style.pin_diameter = value();
   if (key == "links.width_mm") spec.links.style.width = value();
+  if (key == "links.thickness_mm") spec.links.style.thickness = value();
+  if (key == "links.sections_mm") {
+    const std::size_t by = sentence.rfind(" x ");
+    spec = with_section(
+        spec, {std::stod(sentence.substr(sentence.rfind(';') + 1)), std::stod(sentence.substr(by + 3))});
+  }
+  if (key == "material.name") {
+    const std::size_t from = sentence.rfind('"', sentence.rfind('"') - 1) + 1;
+    spec.material = as_material(*material_named(sentence.substr(from, sentence.rfind('"') - from)));
+  }
   if (key == "links.layers") spec.links.layers = static_cast<int>(value());
   if (key == "links.grid_mm") spec.links.stock_lengths.grid = std::nullopt;
   if (key == "links.stock_mm") spec.links.stock_lengths.stock.clear();
@@ -443,6 +459,57 @@ TEST(Diagnosis, ALimitOnTheLoadErrorThatNoStatedValueHelpsIsLeftOut) {
             "limits.load_error_mm = 500 is in the way; left out, a design exists");
   EXPECT_FALSE(none.relaxations.front().possible);
   check(spec, none);
+}
+
+const Relaxation* of_key(const NoDesign& none, const std::string& key) {
+  const auto found = std::find_if(none.relaxations.begin(), none.relaxations.end(),
+                                  [&](const Relaxation& one) { return one.key == key; });
+  return found == none.relaxations.end() ? nullptr : &*found;
+}
+
+/// The nameplate in PLA of one section, with a limit on the load error of a share of what its best design has.
+Spec soft_nameplate(double share) {
+  Spec spec = test::shipped_spec("nameplate-pla");
+  spec.links.sections.clear();
+  use_section(spec.links.style, {15, 5});
+  spec.limits.load_error.reset();
+  const auto outcome = synthesize(spec, {.diagnose = false});
+  spec.limits.load_error = share * std::get<FoundDesign>(outcome).attained.load_error;
+  return spec;
+}
+
+TEST(Diagnosis, LargerSectionsAndAStifferMaterialAreNamedWhereLinksAreTooSoft) {
+  const Spec spec = soft_nameplate(0.4);
+  const NoDesign none = nothing_for(spec);
+  for (const char* key : {"limits.load_error_mm", "links.width_mm", "links.thickness_mm", "material.name"})
+    EXPECT_NE(of_key(none, key), nullptr) << key;
+  check(spec, none);
+  for (const auto& [key, step] : {std::pair{"links.width_mm", 1.0}, std::pair{"links.thickness_mm", 0.5}}) {
+    const Relaxation* one = of_key(none, key);
+    ASSERT_NE(one, nullptr);
+    EXPECT_TRUE(one->is_least);
+    const double size = enough(one->sentence);
+    EXPECT_EQ(std::fmod(size, step), 0) << one->sentence;
+    EXPECT_FALSE(has_design(as_told(spec, key, fmt::format("in the way; {} would do", size - step))))
+        << one->sentence;
+  }
+}
+
+TEST(Diagnosis, WhereAllSectionsAreTooSoftAnotherIsNamed) {
+  Spec spec = soft_nameplate(0.1);
+  spec.links.sections = {{10, 5}, {15, 5}};
+  const NoDesign none = nothing_for(spec);
+  EXPECT_NE(of_key(none, "links.sections_mm"), nullptr) << none.sentence;
+  EXPECT_EQ(of_key(none, "links.width_mm"), nullptr);
+  check(spec, none);
+}
+
+TEST(Diagnosis, StifferLinksAreNotAskedForWhereAnotherLimitIsInTheWay) {
+  Spec spec = soft_nameplate(2);
+  spec.limits.transmission = radians(85);
+  const NoDesign none = nothing_for(spec);
+  for (const char* key : {"links.thickness_mm", "material.name"})
+    EXPECT_EQ(of_key(none, key), nullptr) << key;
 }
 
 /// Every single key that restricts designs, left out or at the loosest value that a spec may state.

@@ -1,0 +1,148 @@
+// Where a limit on load error or sag is in the way: wider or thicker links, or a stiffer material. How much is estimated from what
+// designs attain; then the spec is searched with it.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "geometry/slack.hpp"
+#include "specs/materials.hpp"
+#include "synthesis/search/diagnosis/relaxation_words.hpp"
+#include "synthesis/search/diagnosis/relaxations.hpp"
+
+namespace kempe {
+namespace {
+
+/// How many times what is demanded the best designs give way; 1 where no such limit is in the way.
+struct TooSoft {
+  double by_load = 1, by_sag = 1;
+};
+
+TooSoft too_soft(const Questions& questions) {
+  TooSoft times;
+  for (const Relaxation& one : questions.found()) {
+    if (one.key == "limits.load_error_mm")
+      times.by_load = std::max(1.0, one.design.attained.load_error / one.demanded);
+    if (one.key == "limits.sag_mm") times.by_sag = std::max(1.0, *one.possible / one.demanded);
+  }
+  return times;
+}
+
+/// A dimension of the links' section, and the powers of it that a bar's deflections fall with: in the plane by a force, and out of it by the
+/// bar's own weight.
+struct Dimension {
+  const char* key;
+  double LinkStyle::*value;
+  double power_in_plane, power_of_sag;
+};
+constexpr std::array<Dimension, 2> dimensions{
+    {{"links.width_mm", &LinkStyle::width, 3, 1}, {"links.thickness_mm", &LinkStyle::thickness, 1, 2}}};
+
+/// The next size that a maker would ask for, not less than a length: whole millimetres, half ones below ten, tenths below one; sixteenths
+/// of an inch, 32nds below ten of them, 128ths below one.
+double next_size(double length, SpecUnit unit) {
+  const bool in_inches = unit == SpecUnit::inch;
+  const double large = in_inches ? in_mm(unit) / 16 : 1, tiny = in_inches ? large / 8 : large / 10;
+  const double step = length >= 10 * large ? large : length >= large ? large / 2 : tiny;
+  return step * std::ceil(length / step * (1 - slack::rounding));
+}
+
+struct Sized {
+  double size;  ///< mm
+  FoundDesign design;
+  bool is_least;  ///< as in Relaxation
+};
+
+/// The first of the budget's multiples of an estimate with which there is a design, then less by halving.
+template <typename With>
+std::optional<Sized> least_size(Questions& questions, double given, double estimate, const With& with) {
+  double too_little = given;
+  std::optional<Sized> enough;
+  for (const double share : questions.budget().stiffer) {
+    if (enough || questions.stopped()) break;
+    const double size = next_size(share * estimate, questions.unit());
+    if (size <= too_little) continue;
+    if (auto design = with(size))
+      enough = Sized{size, *std::move(design), false};
+    else
+      too_little = size;
+  }
+  while (enough && !enough->is_least && !questions.stopped()) {
+    const double size = next_size(0.5 * (too_little + enough->size), questions.unit());
+    if (size >= enough->size)
+      enough->is_least = true;
+    else if (auto design = with(size))
+      enough = Sized{size, *std::move(design), false};
+    else
+      too_little = size;
+  }
+  return enough;
+}
+
+/// The least of a few sizes with which there is a design. Where the spec lists sections it is another one of them.
+void larger(Questions& questions, const Dimension& dimension, const TooSoft& times) {
+  const Spec& spec = questions.spec();
+  const bool has_sections = !spec.links.sections.empty();
+  const double given = spec.links.style.*dimension.value;
+  const double estimate = given * std::max(std::pow(times.by_load, 1 / dimension.power_in_plane),
+                                           std::pow(times.by_sag, 1 / dimension.power_of_sag));
+  if (estimate > questions.budget().largest_section * given || questions.stopped()) return;
+  const std::string key = has_sections ? "links.sections_mm" : dimension.key;
+  questions.note(key);
+  const auto section = [&](double size) {
+    LinkStyle style = spec.links.style;
+    style.*dimension.value = size;
+    return LinkSection{style.width, style.thickness};
+  };
+  auto found = least_size(questions, given, estimate, [&](double size) {
+    Spec other = spec;
+    use_section(other.links.style, section(size));
+    if (has_sections) other.links.sections = {section(size)};
+    return questions.best_of(other);
+  });
+  if (!found) return;
+  if (has_sections) found->design.section = section(found->size);
+  questions.keep(Relaxation{.key = key,
+                            .sentence = has_sections
+                                            ? section_would_do(section(found->size), questions.unit())
+                                            : length_would_do(key, given, found->size, questions.unit()),
+                            .design = std::move(found->design),
+                            .is_least = found->is_least});
+}
+
+/// The least stiff of the known materials with which there is a design.
+void stiffer_material(Questions& questions, const TooSoft& times) {
+  constexpr const char* key = "material.name";
+  const Material& given = *questions.spec().material;
+  std::vector<const KnownMaterial*> stiffer;
+  for (const KnownMaterial& each : known_materials())
+    if (as_material(each).E > given.E * std::max(1.0, questions.budget().stiffer.front() * times.by_load))
+      stiffer.push_back(&each);
+  std::stable_sort(stiffer.begin(), stiffer.end(),
+                   [](const auto* one, const auto* other) { return one->E_GPa < other->E_GPa; });
+  for (const KnownMaterial* each : stiffer) {
+    if (questions.stopped()) return;
+    questions.note(key);
+    Spec spec = questions.spec();
+    spec.material = as_material(*each);
+    if (auto design = questions.best_of(spec))
+      return questions.keep(Relaxation{
+          .key = key,
+          .sentence = fmt::format("{} = \"{}\" is in the way; \"{}\" would do", key, given.name, each->name),
+          .design = *std::move(design)});
+  }
+}
+
+}  // namespace
+
+void relax_stiffness(Questions& questions) {
+  const TooSoft times = too_soft(questions);
+  if (times.by_load == 1 && times.by_sag == 1) return;
+  for (const Dimension& dimension : dimensions) larger(questions, dimension, times);
+  stiffer_material(questions, times);
+}
+
+}  // namespace kempe
