@@ -173,7 +173,8 @@ std::string reason(NoLog why, const ProofOptions& options) {
       return "some linkages are so near to what is forbidden that no box of doubles parts them from it";
     case NoLog::bodies:
       return "its rules do not say where a body meets an obstacle, the table's edge or another body";
-    case NoLog::loads: return "it has no rules for loads, and it is limits.load_error_mm that no design keeps";
+    case NoLog::loads:
+      return "it has no rules for loads, and it is limits.load_error_mm that no design keeps";
     case NoLog::sections: return "it is of one cross-section, and the spec allows several";
     case NoLog::no_rules: break;
   }
