@@ -16,8 +16,11 @@ std::optional<double> value_of(const Requirements& limits, const Spec& spec, Goa
 
 double possible_value(const MovableLimit& limit, double demanded, double attained) {
   const double best = attained / limit.unit, way = std::abs(best - demanded / limit.unit);
-  const double give =
-      std::max(std::min(slack::give_of_value * std::abs(best), slack::give_of_way * way), slack::least_give);
+  const double of_value = slack::give_of_value * std::abs(best);
+  // An error is above 0, of a small instrument perhaps by a few nanometres alone.
+  const bool is_of_an_error = limit.goal == Goal::load_error || limit.goal == Goal::copy_error;
+  const double least = is_of_an_error ? std::min(slack::least_give, of_value) : slack::least_give;
+  const double give = std::max(std::min(of_value, slack::give_of_way * way), least);
   const double digits = std::max(std::log10(give), std::log10(std::abs(best) + give) - 5);
   const double step = std::pow(10, std::floor(digits));
   const bool at_least = is_maximized(limit.goal);

@@ -58,8 +58,8 @@ inline constexpr double near_free_cost = 1e-7, near_free_footprint = 1e-3;
 // Limits that give way (diagnosis)
 
 /// Share of the value attained, share of the way from what was demanded, and the limit's own unit (mm or degree): a limit
-/// gives way by the first, or by the second if that is less, but by the third at least: a value told without any leeway would
-/// be kept by a single design.
+/// gives way by the first, or by the second if that is less, but by the third at least, or one on an error by the first: a value told
+/// without any leeway would be kept by a single design.
 inline constexpr double give_of_value = 1e-3, give_of_way = 8e-3, least_give = 1e-6;
 /// mm or rad: what the share by which a limit gives way is of, where the limit itself is less.
 inline constexpr double least_demand = 1e-3;

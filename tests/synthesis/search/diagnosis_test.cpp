@@ -504,6 +504,16 @@ TEST(Diagnosis, WhereAllSectionsAreTooSoftAnotherIsNamed) {
   check(spec, none);
 }
 
+TEST(Diagnosis, ALimitInNanometresGivesWayByAShareOfItself) {
+  Spec spec = test::shipped_spec("micro-manipulator");
+  spec.limits.load_error = 3e-6;
+  const NoDesign none = nothing_for(spec);
+  const Relaxation* limit = of_key(none, "limits.load_error_mm");
+  ASSERT_NE(limit, nullptr) << none.sentence;
+  EXPECT_LT(*limit->possible, 1.002 * limit->design.attained.load_error);
+  check(spec, none);
+}
+
 TEST(Diagnosis, StifferLinksAreNotAskedForWhereAnotherLimitIsInTheWay) {
   Spec spec = soft_nameplate(2);
   spec.limits.transmission = radians(85);
