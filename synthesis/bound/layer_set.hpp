@@ -40,6 +40,11 @@ class LayerSet {
     if (i / bits > more_.size()) more_.resize(i / bits, 0);
     word(i) |= one(i);
   }
+  void add(const LayerSet& others) {
+    first_ |= others.first_;
+    more_.resize(std::max(more_.size(), others.more_.size()), 0);
+    for (std::size_t i = 0; i < others.more_.size(); ++i) more_[i] |= others.more_[i];
+  }
   void remove(std::size_t i) {
     if (has(i)) word(i) &= ~one(i);
   }

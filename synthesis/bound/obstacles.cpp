@@ -225,6 +225,44 @@ bool ObstacleTest::is_hit_all_over(const Term& term, const JointSpreads& spreads
   return false;
 }
 
+LayerSet ObstacleTest::layers_of(const Hit& hit) const {
+  const auto& of_one = places_[hit.place].layers;
+  if (!of_one) return terms_[hit.term].layers;
+  LayerSet one;
+  if (terms_[hit.term].layers.has(*of_one)) one.add(*of_one);
+  return one;
+}
+
+std::optional<ObstacleTouch> ObstacleTest::touch_of(const DesignBox& box, const Hit& hit) const {
+  const ObstacleTerm& term = terms_[hit.term].what;
+  const Point& place = places_[hit.place].at;
+  const PlacedJoints joints(reach_, roles_, middle_of(box), box.pole, place);
+  const Complex origin = term.seen_from ? joints[*term.seen_from] : 0;
+  const JointHull& hull = term.piece.hull;
+  std::vector<Complex> corners;
+  for (int i = 0; i < hull.count; ++i)
+    corners.push_back(joints[hull.joints[static_cast<std::size_t>(i)]] - origin);
+  NearestFeatures nearest{.distance = infinity};
+  const FixedConvex* part = nullptr;
+  for (const EncircledPart& each : scene_->shapes[term.obstacle].parts) {
+    const NearestFeatures here = nearest_features(corners, each.outline.corners());
+    if (here.distance < nearest.distance) nearest = here, part = &each.outline;
+  }
+  if (part == nullptr) return std::nullopt;
+  const auto ends = [&](const auto& of, bool has_corner) {
+    return has_corner ? std::array{of[nearest.corner], of[nearest.corner]}
+                      : std::array{of[nearest.from], of[nearest.is_edge ? nearest.to : nearest.from]};
+  };
+  return ObstacleTouch{place,
+                       term.seen_from,
+                       nearest.corner_of_first,
+                       nearest.is_edge,
+                       ends(hull.joints, nearest.corner_of_first),
+                       ends(part->corners(), !nearest.corner_of_first),
+                       nearest.side,
+                       term.piece.half_width + clearance_ - gap_rounding(term, joints)};
+}
+
 /// One box, place by place.
 struct ObstacleTest::Look {
   const ObstacleTest& test;

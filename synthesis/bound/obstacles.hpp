@@ -18,6 +18,7 @@
 #include "synthesis/bound/joint_moves.hpp"
 #include "synthesis/bound/layer_set.hpp"
 #include "synthesis/bound/place_groups.hpp"
+#include "synthesis/bound/touches.hpp"
 #include "synthesis/problem/obstacle_gap.hpp"
 
 namespace kempe::bounding {
@@ -81,6 +82,11 @@ class ObstacleTest {
   /// The assignments of `alive` in which nothing is surely hit. `sight`: of the box this one was split from; becomes its
   /// own. With `only_hit` nothing but the hit is looked at.
   LayerSet not_hit(const DesignBox& box, LayerSet alive, Sight& sight, bool only_hit) const;
+
+  /// Where the part of a hit comes nearest to the obstruction in the middle of a box; nothing where the obstruction has no part.
+  std::optional<ObstacleTouch> touch_of(const DesignBox& box, const Hit& hit) const;
+  /// The assignments that a hit counts in.
+  LayerSet layers_of(const Hit& hit) const;
 
   /// From now on obstructions are kept away by `margin` (mm) more, at these places too.
   void demand_more(double margin, const std::vector<Point>& places);

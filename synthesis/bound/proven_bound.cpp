@@ -13,6 +13,7 @@
 #include <set>
 
 #include "kinematics/parallel.hpp"
+#include "synthesis/bound/layer_trade.hpp"
 #include "synthesis/bound/load_floor.hpp"
 #include "synthesis/bound/load_trade.hpp"
 #include "synthesis/bound/met_contacts.hpp"
@@ -136,6 +137,11 @@ class Tree {
       open_.pop();
       if (options_.self_contact && !shared_->cuts.rule_out(node, branch_of(node), boxes_)) continue;
       if (!rule_out_by_obstacles(node, false)) continue;
+      raise_by_touches(node);
+      if (node.bound >= designs_.enough(tolerance)) {
+        open_.push(std::move(node));
+        continue;
+      }
       if (are_tried(++opened_)) designs_.try_in(node, branch_of(node), obstacles_of(node), loads_of(node));
       if (opened_ == next_leap_) leap_to(node), next_leap_ *= 2;
       if (sees_obstacles() && opened_ % looked_further_every == 0)
@@ -252,12 +258,48 @@ class Tree {
   void raise_by_loads(TreeNode& node) const {
     const double enough = designs_.enough(tolerance_);
     if (!(enough < infinity) || node.bound >= enough) return;
-    const double transmission =
-        by_size_ ? designs_.transmission() : std::max(spec_.limits.transmission, -enough);
-    if (load_trades_[node.branch].none_better(shared_->poles.ends_from(node.pole()),
-                                              {node.lengths, node.x, node.y}, transmission,
-                                              by_size_ ? std::optional(enough) : std::nullopt))
-      node.bound = enough;
+    const bounding::DesignRange designs{node.lengths, node.x, node.y};
+    if (trade_of(node, designs, enough).none_better()) node.bound = enough;
+  }
+
+  /// What designs have to do to be better than `enough`, as TreeNode::bound.
+  bounding::BetterDesign better_than(double enough) const {
+    if (by_size_) return {designs_.transmission(), enough};
+    return {std::max(spec_.limits.transmission, -enough), std::nullopt};
+  }
+
+  bounding::BoxTrade trade_of(const TreeNode& node, const bounding::DesignRange& designs,
+                              double enough) const {
+    return {load_trades_[node.branch], shared_->poles.ends_from(node.pole()), designs, better_than(enough)};
+  }
+
+  /// The same of a box that is about to be split, where in each layer assignment left the linkage in its middle touches something.
+  void raise_by_touches(TreeNode& node) {
+    const double enough = designs_.enough(tolerance_);
+    if (!(enough < infinity) || node.bound >= enough || !layers_are_asked()) return;
+    const auto distances = shared_->poles.distances_from(node.pole());
+    if (!distances) return;
+    if (node.worse_than < enough) node.worse = {};
+    node.worse_than = enough;
+    const bounding::DesignRange designs{node.lengths, node.x, node.y};
+    const bounding::BoxTrade trade = trade_of(node, designs, enough);
+    const bounding::LayerTrade layers{spec_,
+                                      branch_of(node),
+                                      obstacles_of(node),
+                                      design_box(node),
+                                      *distances,
+                                      better_than(enough).transmission,
+                                      trade};
+    ++layers_asked_;
+    if (layers.leaves_one(node)) return;
+    ++layers_ruled_out_;
+    node.bound = enough;
+  }
+
+  /// It takes as long as some boxes do: it is seldom asked where it is seldom of use, and never in small trees.
+  bool layers_are_asked() const {
+    return sees_loads() && options_.self_contact && opened_ >= 64 &&
+           (layers_asked_ < 16 || 8 * layers_ruled_out_ >= layers_asked_ || opened_ % 8 == 0);
   }
 
   bool sees_obstacles() const {
@@ -404,6 +446,7 @@ class Tree {
   std::priority_queue<TreeNode, std::vector<TreeNode>, bounding::LessPromising> open_;
   std::array<std::optional<double>, 3> by_grounding_;
   std::size_t boxes_ = 0, opened_ = 0;
+  std::size_t layers_asked_ = 0, layers_ruled_out_ = 0;
   std::size_t next_leap_ = 32;                             // boxes opened
   ValueNear value_near_{};                                 // of a tree that goes on without the load limit
   static constexpr std::size_t told_every = 64;            // boxes

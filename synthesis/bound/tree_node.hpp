@@ -23,7 +23,10 @@ struct TreeNode {
   PoleDistances distances;
   LengthBox lengths;
   LayerSet alive{};  ///< layer assignments not yet ruled out, by their place in the branch
-  Sight sight;       ///< of the obstacles
+  /// Those without a design that keeps the limit on the load error and is better than `worse_than` (as `bound`).
+  LayerSet worse{};
+  double worse_than = 0;
+  Sight sight;  ///< of the obstacles
   /// Of the first layer assignments: number in MetContacts, 0 for none.
   std::array<std::uint32_t, kept_cuts> cut{};
 

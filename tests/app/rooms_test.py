@@ -16,8 +16,9 @@ loader.exec_module(rooms)
 FOLDERS, ROOMS = rooms.FOLDERS, rooms.ROOMS
 HEAVY = {  # a library's headers -> the files that may include them
     r"CGAL/": r"_backend\.cpp$|^interval\.hpp$",
-    r"geometry/interval\.hpp": r"_backend\.cpp$|^(reach_intervals|load_waves|instrument_box)\.hpp$",
-    r"synthesis/bound/(reach_intervals|load_waves)\.hpp": r"_backend\.cpp$",
+    r"geometry/interval\.hpp": r"_backend\.cpp$|^(reach_intervals|load_waves|first_order|instrument_box)\.hpp$",
+    r"synthesis/bound/(reach_intervals|load_waves|first_order|tracer_place|touch_figures)\.hpp":
+        r"_backend\.cpp$|^(tracer_place|touch_figures)\.hpp$",
     r"synthesis/tolerance/instrument_box\.hpp": r"_backend\.cpp$",
     r"nlopt": r"_backend\.cpp$",
     r"Ip[A-Z]|coin": r"_backend\.cpp$",
