@@ -8,77 +8,87 @@
 namespace kempe::bounding {
 namespace {
 
-/// Of the way from one end of psi to the other: so near to an end a touch is asked about there.
+/// Share of the way from one end of psi to the other: a touch so near to an end is asked about there.
 constexpr double at_end = 0.01;
 
-/// The |psi| of the middle design with the tracer at a distance, or the nearest that better designs may have.
-double psi_at(const ModeFacts& mode, const DesignBox& box, double distance, const Range& usable) {
-  const double t = box.t(), along = mode.chain * distance;
-  const double cosine = along * along / box.w() - 0.5 * (t + 1 / t);
-  return std::clamp(std::acos(std::clamp(cosine, -1.0, 1.0)), usable.lower, usable.upper);
+/// The design in the middle of a box, on its way from the farthest place to the nearest as far as better designs go it.
+class MiddleDesign {
+ public:
+  explicit MiddleDesign(const LayerQuestion& asked)
+      : asked_(asked), a_(std::sqrt(asked.box.w() / asked.box.t() / 2)),
+        b_(std::sqrt(asked.box.w() * asked.box.t() / 2)),
+        linkage_(linkage_of(asked.spec, asked.branch, a_, b_, asked.box.pole)) {
+    const Range usable = asked.branch.mode.usable(asked.transmission);
+    if (!usable.empty())
+      psi_ = {psi_at(asked.distances.farthest, usable), psi_at(asked.distances.nearest, usable)};
+  }
+
+  /// Where it touches itself most in an assignment, or nearly.
+  struct Touch {
+    ContactPair pair;
+    ContactTouch points;
+  };
+  /// `by_all`: the psi that all designs of the box pass. Nothing where there is no such place, or other designs need not come by it.
+  std::optional<Touch> touch_in(const LayerCandidate& layers, const Range& by_all) const {
+    if (!linkage_ || !(psi_.lower < psi_.upper)) return std::nullopt;
+    const double far = asked_.branch.opening_of(psi_.lower), near = asked_.branch.opening_of(psi_.upper);
+    const LinkStyle& style = asked_.spec.links.style;
+    const Tightest tightest =
+        smallest_gap_over(*linkage_, style, layers.parts, {std::min(far, near), std::max(far, near)});
+    if (!tightest.pair) return std::nullopt;
+    const double psi = std::clamp(asked_.branch.psi_of(tightest.opening), psi_.lower, psi_.upper);
+    const auto at = place_of(psi);
+    if (at == ContactTouch::At::psi && !(by_all.lower <= psi && psi <= by_all.upper)) return std::nullopt;
+    const ModeFacts& mode = asked_.branch.mode;
+    const auto points = nearest_points(*tightest.pair, mode.s, style, a_, b_, mode.bend * psi);
+    return Touch{*tightest.pair,
+                 {at, psi, points.first, points.second,
+                  (points.needed + asked_.spec.limits.clearance) * slack::surely_less}};
+  }
+
+ private:
+  /// With the tracer at a distance, or the nearest that better designs may have.
+  double psi_at(double distance, const Range& usable) const {
+    const double along = asked_.branch.mode.chain * distance, t = asked_.box.t();
+    const double cosine = along * along / asked_.box.w() - 0.5 * (t + 1 / t);
+    return std::clamp(std::acos(std::clamp(cosine, -1.0, 1.0)), usable.lower, usable.upper);
+  }
+
+  ContactTouch::At place_of(double psi) const {
+    const double share = (psi - psi_.lower) / (psi_.upper - psi_.lower);
+    if (share < at_end) return ContactTouch::At::far;
+    return share > 1 - at_end ? ContactTouch::At::near : ContactTouch::At::psi;
+  }
+
+  const LayerQuestion& asked_;
+  double a_, b_;
+  tl::expected<CopyingLinkage, LinkageFault> linkage_;
+  Range psi_;
+};
+
+void strike_what_is_hit(const LayerQuestion& asked, TreeNode& node) {
+  if (asked.obstacles == nullptr || !node.sight.hit) return;
+  const auto touch = asked.obstacles->touch_of(asked.box, *node.sight.hit);
+  if (touch && asked.trade.none_better_without(*touch))
+    node.worse.add(asked.obstacles->layers_of(*node.sight.hit));
 }
 
 }  // namespace
 
-bool LayerTrade::leaves_one(TreeNode& node) const {
-  for (std::size_t i = 0; i < branch.layers.size(); ++i)
-    if (node.alive.has(i) && !node.worse.has(i) && !is_worse_by_obstacle(node, i) &&
-        !is_worse_by_contact(node, i))
-      return true;
-  return false;
-}
-
-bool LayerTrade::is_worse_by_obstacle(TreeNode& node, std::size_t layers) const {
-  if (obstacles == nullptr) return false;
-  if (node.sight.layers != layers) {
-    LayerSet one;
-    one.add(layers);
-    if (obstacles->not_hit(box, one, node.sight, false).empty()) {
-      node.alive.remove(layers);
-      return true;
-    }
+bool leaves_a_layer(const LayerQuestion& asked, TreeNode& node) {
+  strike_what_is_hit(asked, node);
+  const MiddleDesign middle(asked);
+  const Range by_all = passed_by_all(asked.branch.mode, node.distances, node.lengths);
+  const std::vector<LayerCandidate>& layers = asked.branch.layers;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (!node.alive.has(i) || node.worse.has(i)) continue;
+    const auto touch = middle.touch_in(layers[i], by_all);
+    if (!touch || !asked.trade.none_better_without(touch->points)) return true;
+    const PairKey pair = key_of(touch->pair);
+    for (std::size_t j = 0; j < layers.size(); ++j)
+      if (layers[j].has(pair)) node.worse.add(j);
   }
-  if (!node.sight.hit || !obstacles->layers_of(*node.sight.hit).has(layers)) return false;
-  const auto touch = obstacles->touch_of(box, *node.sight.hit);
-  if (!touch || !trade.none_better_without(*touch)) return false;
-  node.worse.add(obstacles->layers_of(*node.sight.hit));
-  return true;
-}
-
-bool LayerTrade::is_worse_by_contact(TreeNode& node, std::size_t layers) const {
-  const ModeFacts& mode = branch.mode;
-  const Range usable = mode.usable(transmission);
-  if (usable.empty()) return false;
-  const Range passed{psi_at(mode, box, distances.farthest, usable), psi_at(mode, box, distances.nearest, usable)};
-  const double t = box.t(), w = box.w();
-  const auto linkage = linkage_of(spec, branch, std::sqrt(w / t / 2), std::sqrt(w * t / 2), node.pole());
-  if (!linkage || !(passed.lower < passed.upper)) return false;
-  const double far = branch.opening_of(passed.lower), near = branch.opening_of(passed.upper);
-  const Tightest tightest = smallest_gap_over(*linkage, spec.links.style, branch.layers[layers].parts,
-                                              {std::min(far, near), std::max(far, near)});
-  if (!tightest.pair) return false;
-  const double psi = std::clamp(branch.psi_of(tightest.opening), passed.lower, passed.upper);
-  const auto touch = contact_of(node, *tightest.pair, psi, passed);
-  if (!touch || !trade.none_better_without(*touch)) return false;
-  const PairKey pair = key_of(*tightest.pair);
-  for (std::size_t i = 0; i < branch.layers.size(); ++i)
-    if (branch.layers[i].has(pair)) node.worse.add(i);
-  return true;
-}
-
-std::optional<ContactTouch> LayerTrade::contact_of(const TreeNode& node, const ContactPair& pair, double psi,
-                                                   const Range& passed) const {
-  using At = ContactTouch::At;
-  const double share = (psi - passed.lower) / (passed.upper - passed.lower);
-  const Range by_all = passed_by_all(branch.mode, node.distances, node.lengths);
-  const bool is_common = by_all.lower <= psi && psi <= by_all.upper;
-  const At at = share < at_end ? At::far : share > 1 - at_end ? At::near : At::psi;
-  if (at == At::psi && !is_common) return std::nullopt;
-  const double t = box.t(), w = box.w();
-  const auto points = nearest_points(pair, branch.mode.s, spec.links.style, std::sqrt(w / t / 2),
-                                     std::sqrt(w * t / 2), branch.mode.bend * psi);
-  return ContactTouch{at, psi, points.first, points.second,
-                      (points.needed + spec.limits.clearance) * slack::surely_less};
+  return false;
 }
 
 }  // namespace kempe::bounding

@@ -8,8 +8,8 @@
 
 namespace kempe::bounding {
 
-/// Of one box. What the references and pointers are to must outlive it.
-struct LayerTrade {
+/// A box, and what is asked of its designs.
+struct LayerQuestion {
   const Spec& spec;
   const Branch& branch;
   const ObstacleTest* obstacles;  ///< null where there are none to be seen
@@ -17,16 +17,10 @@ struct LayerTrade {
   DistanceRange distances;  ///< of the region from the pole in the middle
   double transmission;      ///< rad: of better designs
   const BoxTrade& trade;
-
-  /// Adds to `worse` assignments without a better design, up to the first that may have one: one is enough to keep the box. What is hit all over
-  /// the box on the way is no longer alive. False if none is left.
-  bool leaves_one(TreeNode& node) const;
-
- private:
-  bool is_worse_by_obstacle(TreeNode& node, std::size_t layers) const;
-  bool is_worse_by_contact(TreeNode& node, std::size_t layers) const;
-  std::optional<ContactTouch> contact_of(const TreeNode& node, const ContactPair& pair, double psi,
-                                         const Range& passed) const;
 };
+
+/// Adds to the node's `worse` assignments without a better design, up to the first that may have one: one is enough to keep the box. False if none of
+/// those alive is left.
+bool leaves_a_layer(const LayerQuestion& asked, TreeNode& node);
 
 }  // namespace kempe::bounding

@@ -283,15 +283,11 @@ class Tree {
     node.worse_than = enough;
     const bounding::DesignRange designs{node.lengths, node.x, node.y};
     const bounding::BoxTrade trade = trade_of(node, designs, enough);
-    const bounding::LayerTrade layers{spec_,
-                                      branch_of(node),
-                                      obstacles_of(node),
-                                      design_box(node),
-                                      *distances,
-                                      better_than(enough).transmission,
-                                      trade};
     ++layers_asked_;
-    if (layers.leaves_one(node)) return;
+    if (bounding::leaves_a_layer({spec_, branch_of(node), obstacles_of(node), design_box(node), *distances,
+                                  better_than(enough).transmission, trade},
+                                 node))
+      return;
     ++layers_ruled_out_;
     node.bound = enough;
   }

@@ -1,7 +1,6 @@
-#include "synthesis/bound/touch_figures.hpp"
-
 #include "kinematics/grounding.hpp"
 #include "synthesis/bound/contact.hpp"
+#include "synthesis/bound/touch_figures.hpp"
 
 namespace kempe::bounding {
 namespace {
@@ -14,13 +13,12 @@ std::optional<FirstOrder> contact_figure_at(const BoxMiddle& middle, const Conta
                         of_b = widened(touch.first.of_b) - widened(touch.second.of_b);
   const IntervalComplex turn = IntervalComplex{of_a.re, -of_a.im} * of_b;
   const FirstOrder t = middle.t_itself();
-  const FirstOrder per_t =
-      function_of(Interval(-1) * middle.log_t(), 1.0 / t.middle, 1.0 / t.middle, 1.0 / whole(middle.box.lengths.t));
+  const FirstOrder per_t = function_of(Interval(-1) * middle.log_t(), 1.0 / t.middle, 1.0 / t.middle,
+                                       1.0 / whole(middle.box.lengths.t));
   const FirstOrder w =
       function_of(middle.log_w(), Interval(middle.w), Interval(middle.w), whole(middle.box.lengths.w));
-  const FirstOrder square =
-      w * (Interval(0.5) * (squared_length(of_a) * per_t + squared_length(of_b) * t) + turn.re * cosine -
-           (middle.mode.bend * turn.im) * sine_of(cosine, psi));
+  const FirstOrder square = w * (Interval(0.5) * (squared_length(of_a) * per_t + squared_length(of_b) * t) +
+                                 turn.re * cosine - (middle.mode.bend * turn.im) * sine_of(cosine, psi));
   return constant(Interval(1)) - 1.0 / CGAL::square(Interval(touch.needed)) * square;
 }
 
@@ -49,7 +47,8 @@ class JointsThere {
  private:
   FirstOrderComplex from_pole(Joint joint) const {
     const MaterialPoint at = material_point(joint, mode_.s), ground = material_point(roles_.pole, mode_.s);
-    return constant(widened(at.of_a) - widened(ground.of_a)) + (widened(at.of_b) - widened(ground.of_b)) * rho_;
+    return constant(widened(at.of_a) - widened(ground.of_a)) +
+           (widened(at.of_b) - widened(ground.of_b)) * rho_;
   }
 
   const ModeFacts& mode_;
@@ -61,7 +60,8 @@ FirstOrder dot(const FirstOrderComplex& u, const FirstOrderComplex& v) { return 
 FirstOrder cross(const FirstOrderComplex& u, const FirstOrderComplex& v) { return u.re * v.im - u.im * v.re; }
 
 /// A corner from an edge, on its side of the edge's line. Nothing where in some design the foot of the corner may lie beyond the edge's ends.
-std::optional<FirstOrder> height_over(const FirstOrderComplex& edge, const FirstOrderComplex& corner, double side) {
+std::optional<FirstOrder> height_over(const FirstOrderComplex& edge, const FirstOrderComplex& corner,
+                                      double side) {
   const FirstOrder square = dot(edge, edge);
   const Interval foot = dot(edge, corner).all(), length = square.all();
   if (length.inf() <= 0 || foot.inf() < 0 || foot.sup() > length.inf()) return std::nullopt;
@@ -87,8 +87,8 @@ std::optional<FirstOrder> distance_of(const ObstacleTouch& touch, const JointsTh
 
 }  // namespace
 
-std::optional<FirstOrder> contact_figure(const BoxMiddle& middle, const ContactTouch& touch, const Point& near,
-                                         const Point& far) {
+std::optional<FirstOrder> contact_figure(const BoxMiddle& middle, const ContactTouch& touch,
+                                         const Point& near, const Point& far) {
   if (touch.at == ContactTouch::At::psi)
     return contact_figure_at(middle, touch, constant(cosine(Interval(touch.psi))),
                              PsiThere::about({touch.psi, touch.psi}, touch.psi));

@@ -23,10 +23,10 @@ struct ObstacleTouch {
   Point place;
   std::optional<Joint> seen_from{};  ///< that carries the obstruction's frame; absent: the table's
   bool corner_is_of_part = true;
-  bool is_edge = false;             ///< what the other has: an edge, or a corner
-  std::array<Joint, 2> joints{};    ///< the part's corner, or the ends of its edge
-  std::array<Complex, 2> fixed{};   ///< mm: the same of the obstruction, in its frame
-  double side = 1;                  ///< of an edge: on which the corner lies, 1 left, -1 right
+  bool is_edge = false;            ///< what the other has: an edge, or a corner
+  std::array<Joint, 2> joints{};   ///< the part's corner, or the ends of its edge
+  std::array<Complex, 2> fixed{};  ///< mm: the same of the obstruction, in its frame
+  double side = 1;                 ///< of an edge: on which the corner lies, 1 left, -1 right
   double needed = 0;
 };
 

@@ -1,7 +1,7 @@
-#include "synthesis/bound/tracer_place.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "synthesis/bound/tracer_place.hpp"
 
 namespace kempe::bounding {
 namespace {
@@ -32,9 +32,11 @@ Point middle_of(const Range& x, const Range& y) {
 BoxMiddle::BoxMiddle(const ModeFacts& of_mode, const DesignRange& all, double rounding_of_places,
                      double transmission)
     : mode(of_mode), box(all), t(geometric_middle(all.lengths.t)), w(geometric_middle(all.lengths.w)),
-      pole(middle_of(all.x, all.y)), place_rounding(rounding_of_places), psi(of_mode.usable(transmission)),
-      half_{log_from_middle_of(all.lengths.t, t), log_from_middle_of(all.lengths.w, w),
-            from_middle_of(all.x, pole.x()), from_middle_of(all.y, pole.y())} {}
+      pole(middle_of(all.x, all.y)), place_rounding(rounding_of_places),
+      psi(of_mode.usable(transmission)), half_{log_from_middle_of(all.lengths.t, t),
+                                               log_from_middle_of(all.lengths.w, w),
+                                               from_middle_of(all.x, pole.x()),
+                                               from_middle_of(all.y, pole.y())} {}
 
 FirstOrder BoxMiddle::step(std::size_t coordinate) const {
   FirstOrder f;
@@ -74,8 +76,8 @@ std::optional<ReachedPlace> reached(const BoxMiddle& middle, const Point& place)
 }
 
 PsiThere PsiThere::about(const Range& range, double start) {
-  return {range,           start, cosine(Interval(start)), sine(Interval(start)), cosine(whole(range)),
-          sine(whole(range))};
+  return {
+      range, start, cosine(Interval(start)), sine(Interval(start)), cosine(whole(range)), sine(whole(range))};
 }
 
 std::optional<PsiThere> psi_at(const BoxMiddle& middle, const ReachedPlace& place) {
@@ -89,8 +91,7 @@ std::optional<PsiThere> psi_at(const BoxMiddle& middle, const ReachedPlace& plac
 
 FirstOrder sine_of(const FirstOrder& cosine, const PsiThere& psi) {
   const FirstOrder from_start = cosine - constant(psi.cosine_at_start);
-  FirstOrder sine = constant(psi.sine_at_start) -
-                    (psi.cosine_at_start / psi.sine_at_start) * from_start;
+  FirstOrder sine = constant(psi.sine_at_start) - (psi.cosine_at_start / psi.sine_at_start) * from_start;
   sine.off -= CGAL::square(psi.cosines - psi.cosine_at_start) / (2.0 * psi.sines * CGAL::square(psi.sines));
   return sine;
 }

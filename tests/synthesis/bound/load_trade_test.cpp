@@ -6,89 +6,19 @@
 #include "synthesis/bound/load_waves.hpp"
 #include "synthesis/loads/load_error.hpp"
 #include "tests/samples.hpp"
-#include "tests/synthesis/bound/loaded_branch.hpp"
+#include "tests/synthesis/bound/design_in_a_box.hpp"
 
 namespace kempe {
 namespace {
 
 using test::DesignAtDistances;
+using test::DesignInABox;
+using test::DesignInside;
+using test::designs_in;
+using test::given;
 using test::LoadedBranch;
 using test::random_branch;
-
-/// A design of a branch, two places that it reaches, and a box of designs round it.
-struct DesignInABox {
-  /// `wide`: of the box, as a share of lengths and distances.
-  DesignInABox(const LoadedBranch& one, const DesignAtDistances& design, double wide, test::SpecDice& dice)
-      : linkage(*design.linkage) {
-    const auto round = [&](double value, double width) {
-      const double below = width * dice.uniform(0, 1);
-      return bounding::Range{value - below, value + width - below};
-    };
-    const auto ratio = [&](double value) {
-      const double below = dice.uniform(0, 1);
-      return bounding::Range{value / (1 + wide * below), value * (1 + wide * (1 - below))};
-    };
-    pole = Point(dice.uniform(-100, 100), dice.uniform(-100, 100));
-    const auto place = [&](double distance) {
-      return Point(pole + as_point(std::polar(distance, dice.uniform(-pi, pi))));
-    };
-    const double farthest = design.distances.farthest_at_least;
-    places = {place(design.distances.nearest_at_most), place(farthest), 1e-12 * (100 + farthest)};
-    const double width = dice.one_in(3) ? 0 : wide * design.distances.nearest_at_most;
-    box = {{ratio(design.t), ratio(design.w)}, round(pole.x(), width), round(pole.y(), width)};
-    profile = load_error_profile(one.spec, one.spec.copy.k(), one.branch.mode.grounding);
-  }
-
-  CopyingLinkage linkage;
-  Point pole;
-  bounding::ReachedPlaces places;
-  bounding::DesignRange box;
-  std::optional<LoadErrorProfile> profile{};
-};
-
-/// What a design has with the tracer between two places: load error (mm), least transmission angle (rad); nothing if it does not reach them.
-struct Given {
-  double load, transmission, size;
-};
-std::optional<Given> given(const LoadErrorProfile& profile, const CopyingLinkage& linkage, const Point& pole,
-                           const bounding::ReachedPlaces& places) {
-  const auto near = linkage.opening_at((places.near - pole).norm()),
-             far = linkage.opening_at((places.far - pole).norm());
-  if (!near || !far) return std::nullopt;
-  Given least{0, HUGE_VAL, linkage.size()};
-  for (const double opening : {*near, *far}) {
-    least.load = std::max(least.load, profile.at({linkage.VA(), linkage.VB()}, opening).worst);
-    least.transmission = std::min(least.transmission, linkage.transmission_angle(opening));
-  }
-  return least;
-}
-
-/// What is asked of the designs of a box.
-struct Wanted {
-  double load, transmission;
-  std::optional<double> size;
-  /// With `room`, a factor, designs that miss it by so much are better too.
-  bool is_kept_by(const Given& has, double room = 1) const {
-    return has.load <= load * room && has.transmission > transmission / room &&
-           (!size || has.size < *size * room);
-  }
-};
-
-/// The figures of some designs of a box.
-std::vector<Given> designs_in(const LoadedBranch& one, const DesignInABox& in, int count,
-                              test::SpecDice& dice) {
-  std::vector<Given> designs;
-  const auto of = [&](const bounding::Range& range) { return dice.uniform(range.lower, range.upper); };
-  for (int i = 0; i < count; ++i) {
-    const double t = of(in.box.lengths.t), w = of(in.box.lengths.w);
-    const Point pole(of(in.box.x), of(in.box.y));
-    const auto linkage =
-        bounding::linkage_of(one.spec, one.branch, std::sqrt(w / t / 2), std::sqrt(w * t / 2), pole);
-    if (!linkage) continue;
-    if (const auto has = given(*in.profile, *linkage, pole, in.places)) designs.push_back(*has);
-  }
-  return designs;
-}
+using test::Wanted;
 
 TEST(LoadTrade, NoBoxWithABetterDesignIsSaidToHaveNone) {
   test::SpecDice dice(417);
@@ -105,14 +35,15 @@ TEST(LoadTrade, NoBoxWithABetterDesignIsSaidToHaveNone) {
     const Wanted wanted{about(has->load), about(has->transmission),
                         dice.one_in(2) ? std::optional(about(has->size)) : std::nullopt};
     one.spec.limits.load_error = wanted.load;
-    const bool has_none = bounding::LoadTrade(one.spec, one.branch.mode)
-                              .none_better(in.places, in.box, wanted.transmission, wanted.size);
+    const bounding::LoadTrade trade(one.spec, one.branch.mode);
+    const bool has_none =
+        bounding::BoxTrade(trade, in.places, in.box, {wanted.transmission, wanted.size}).none_better();
     without += has_none;
     if (!has_none && !wanted.is_kept_by(*has)) continue;
     ++with;
     ASSERT_FALSE(has_none && wanted.is_kept_by(*has)) << i;
-    for (const Given& other : designs_in(one, in, 20, dice))
-      ASSERT_FALSE(has_none && wanted.is_kept_by(other)) << i;
+    for (const DesignInside& other : designs_in(one, in, 20, dice))
+      ASSERT_FALSE(has_none && wanted.is_kept_by(other.has)) << i;
   }
   EXPECT_GT(without, test::expected(400));
   EXPECT_GT(with, test::expected(1000));
@@ -133,14 +64,14 @@ TEST(LoadTrade, SmallBoxesWithoutABetterDesignAreTold) {
     if (!has) continue;
     const auto about = [&](double figure) { return figure * (1 + wide * dice.uniform(-1, 1)); };
     const Wanted wanted{about(has->load), about(has->transmission), about(has->size)};
-    const std::vector<Given> designs = designs_in(one, in, 300, dice);
+    const std::vector<DesignInside> designs = designs_in(one, in, 300, dice);
     if (std::any_of(designs.begin(), designs.end(),
-                    [&](const Given& each) { return wanted.is_kept_by(each, 1 + 0.2 * wide); }))
+                    [&](const DesignInside& each) { return wanted.is_kept_by(each.has, 1 + 0.2 * wide); }))
       continue;
     ++all;
     one.spec.limits.load_error = wanted.load;
-    told += bounding::LoadTrade(one.spec, one.branch.mode)
-                .none_better(in.places, in.box, wanted.transmission, wanted.size);
+    const bounding::LoadTrade trade(one.spec, one.branch.mode);
+    told += bounding::BoxTrade(trade, in.places, in.box, {wanted.transmission, wanted.size}).none_better();
   }
   EXPECT_GT(all, test::expected(1000));
   EXPECT_GT(told, 0.9 * all);
