@@ -47,8 +47,8 @@ struct DesignInABox {
 struct Given {
   double load, transmission, size;
 };
-inline std::optional<Given> given(const LoadErrorProfile& profile, const CopyingLinkage& linkage, const Point& pole,
-                           const bounding::ReachedPlaces& places) {
+inline std::optional<Given> given(const LoadErrorProfile& profile, const CopyingLinkage& linkage,
+                                  const Point& pole, const bounding::ReachedPlaces& places) {
   const auto near = linkage.opening_at((places.near - pole).norm()),
              far = linkage.opening_at((places.far - pole).norm());
   if (!near || !far) return std::nullopt;

@@ -7,6 +7,7 @@
 #include "geometry/segment_distance.hpp"
 #include "kinematics/links.hpp"
 #include "synthesis/bound/contact.hpp"
+#include "synthesis/bound/touch_figures.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/bound/design_in_a_box.hpp"
 
@@ -65,9 +66,8 @@ struct Contact {
     if (touch.at == At::psi &&
         (touch.psi < psi_at(linkage, places.far) || touch.psi > psi_at(linkage, places.near)))
       return std::nullopt;
-    const auto pose = touch.at == At::psi
-                          ? std::optional(linkage.pose_at(branch.opening_of(touch.psi), 0))
-                          : pose_at(linkage, touch.at == At::near ? places.near : places.far);
+    const auto pose = touch.at == At::psi ? std::optional(linkage.pose_at(branch.opening_of(touch.psi), 0))
+                                          : pose_at(linkage, touch.at == At::near ? places.near : places.far);
     return pose ? std::optional((first.in(*pose) - second.in(*pose)).norm()) : std::nullopt;
   }
 
@@ -115,6 +115,15 @@ struct Obstruction {
     if (!touch.corner_is_of_part) return distance(one, from, to);
     return touch.is_edge ? distance(from, one, other) : (from - one).norm();
   }
+  /// True if the corner lies behind the edge.
+  bool is_behind_in(const CopyingLinkage& linkage) const {
+    const auto pose = pose_at(linkage, touch.place);
+    const Point from = place_of(touch.joints[0], *pose), to = place_of(touch.joints[1], *pose);
+    const Point one = as_point(touch.fixed[0]), other = as_point(touch.fixed[1]);
+    const double left =
+        touch.corner_is_of_part ? cross(other - one, from - one) : cross(to - from, one - from);
+    return touch.is_edge && touch.side * left < 0;
+  }
 
   PointOfLink part;
   bounding::ObstacleTouch touch;
@@ -143,7 +152,8 @@ Told tell(double least_width, double most_width, int samples, unsigned seed, con
     const auto has = given(*in.profile, in.linkage, in.pole, in.places);
     if (!has) continue;
     const auto about = [&](double figure) { return figure * (1 + wide * dice.uniform(-0.6, 0.3)); };
-    const Wanted wanted{has->load * (1 + wide * dice.uniform(-0.3, 0.6)), about(has->transmission), about(has->size)};
+    const Wanted wanted{has->load * (1 + wide * dice.uniform(-0.3, 0.6)), about(has->transmission),
+                        about(has->size)};
     one.spec.limits.load_error = wanted.load;
     auto touching = make(one, in, dice);
     const auto distance = touching.distance_in(in.linkage);
@@ -175,6 +185,77 @@ const auto contact = [](const LoadedBranch& one, const DesignInABox& in, test::S
 const auto obstruction = [](const LoadedBranch&, const DesignInABox& in, test::SpecDice& dice) {
   return Obstruction(in, dice.log_uniform(2, 30), dice);
 };
+
+/// What a figure is at least for a design of the box.
+double least_for(const bounding::FirstOrder& figure, const bounding::BoxMiddle& middle, const Complex& s,
+                 const CopyingLinkage& linkage) {
+  const double a = linkage.VA(), b = linkage.VB() / std::abs(s);
+  const auto steps = [&](double from_middle, const bounding::FirstOrder& coordinate, std::size_t i) {
+    return middle.has_width(i) ? Interval(from_middle) / coordinate.along[i] : Interval(0);
+  };
+  const Interval sum = figure.middle + figure.off +
+                       steps(std::log(b / a / middle.t), middle.log_t(), 0) * figure.along[0] +
+                       steps(std::log(2 * a * b / middle.w), middle.log_w(), 1) * figure.along[1] +
+                       steps(linkage.pole().x() - middle.pole.x(), middle.pole_x(), 2) * figure.along[2] +
+                       steps(linkage.pole().y() - middle.pole.y(), middle.pole_y(), 3) * figure.along[3];
+  return sum.inf();
+}
+
+/// How many figures were looked at. `missed(touching, linkage, share)`: what they are of, by the share of the distance needed that a
+/// design has.
+template <typename Make, typename FigureOf, typename Missed>
+int look_at_figures(unsigned seed, const Make& make, const FigureOf& figure_of, const Missed& missed) {
+  test::SpecDice dice(seed);
+  int seen = 0;
+  for (int i = 0; i < test::samples(4000); ++i) {
+    const LoadedBranch one = test::random_branch(dice);
+    const DesignAtDistances design(one, dice);
+    if (!design.linkage) continue;
+    const DesignInABox in(one, design, dice.log_uniform(1e-4, 0.5), dice);
+    if (!given(*in.profile, in.linkage, in.pole, in.places)) continue;
+    auto touching = make(one, in, dice);
+    const auto distance = touching.distance_in(in.linkage);
+    if (!distance || *distance < 1e-3) continue;
+    touching.touch.needed = *distance * dice.uniform(0.5, 2);
+    const OutwardRounding rounding;
+    const bounding::BoxMiddle middle(one.branch.mode, in.box, in.places.rounding, 0);
+    const auto figure = figure_of(middle, touching, in);
+    if (!figure) continue;
+    ++seen;
+    std::vector<DesignInside> designs;
+    {
+      const NearestRounding nearest;
+      designs = designs_in(one, in, 30, dice);
+    }
+    for (const DesignInside& each : designs) {
+      const double least = least_for(*figure, middle, one.branch.mode.s, each.linkage);
+      const NearestRounding nearest;
+      const auto apart = touching.distance_in(each.linkage);
+      if (!apart) continue;
+      EXPECT_LE(least, missed(touching, each.linkage, *apart / touching.touch.needed) + 1e-9) << i;
+    }
+  }
+  return seen;
+}
+
+TEST(TouchFigures, AreNowhereAboveWhatDesignsMiss) {
+  const int contacts = look_at_figures(
+      436, contact,
+      [](const auto& middle, const Contact& touching, const DesignInABox& in) {
+        return bounding::contact_figure(middle, touching.touch, in.places.near, in.places.far);
+      },
+      [](const Contact&, const CopyingLinkage&, double share) { return 1 - share * share; });
+  EXPECT_GT(contacts, test::expected(1000));
+  const int obstructions = look_at_figures(
+      437, obstruction,
+      [](const auto& middle, const Obstruction& touching, const DesignInABox&) {
+        return bounding::obstacle_figure(middle, touching.touch);
+      },
+      [](const Obstruction& touching, const CopyingLinkage& linkage, double share) {
+        return touching.is_behind_in(linkage) ? 1 + share : 1 - share;
+      });
+  EXPECT_GT(obstructions, test::expected(500));
+}
 
 TEST(TouchTrade, NoBoxWithABetterDesignIsSaidToHaveNone) {
   const Told by_contact = tell(1e-6, 0.3, test::samples(12000), 432, contact);
