@@ -273,7 +273,8 @@ class Tree {
     return {load_trades_[node.branch], shared_->poles.ends_from(node.pole()), designs, better_than(enough)};
   }
 
-  /// The same of a box that is about to be split, where in each layer assignment left the linkage in its middle touches something.
+  /// The same of a box that is about to be split: of its designs that keep clear of what the one in the middle touches in each layer
+  /// assignment left.
   void raise_by_touches(TreeNode& node) {
     const double enough = designs_.enough(tolerance_);
     if (!(enough < infinity) || node.bound >= enough || !layers_are_asked()) return;
@@ -292,10 +293,13 @@ class Tree {
     node.bound = enough;
   }
 
-  /// It takes as long as some boxes do: it is seldom asked where it is seldom of use, and never in small trees.
+  /// To ask takes as long as a few boxes do: where it is of use less than once in `worth_asking` times it is asked as seldom, and not at all
+  /// in small trees.
   bool layers_are_asked() const {
-    return sees_loads() && options_.self_contact && opened_ >= 64 &&
-           (layers_asked_ < 16 || 8 * layers_ruled_out_ >= layers_asked_ || opened_ % 8 == 0);
+    constexpr std::size_t small_tree = 64, worth_asking = 8, asked_at_first = 16;
+    return sees_loads() && options_.self_contact && opened_ >= small_tree &&
+           (layers_asked_ < asked_at_first || worth_asking * layers_ruled_out_ >= layers_asked_ ||
+            opened_ % worth_asking == 0);
   }
 
   bool sees_obstacles() const {
@@ -442,7 +446,7 @@ class Tree {
   std::priority_queue<TreeNode, std::vector<TreeNode>, bounding::LessPromising> open_;
   std::array<std::optional<double>, 3> by_grounding_;
   std::size_t boxes_ = 0, opened_ = 0;
-  std::size_t layers_asked_ = 0, layers_ruled_out_ = 0;
+  std::size_t layers_asked_ = 0, layers_ruled_out_ = 0;    // boxes, by what they touch
   std::size_t next_leap_ = 32;                             // boxes opened
   ValueNear value_near_{};                                 // of a tree that goes on without the load limit
   static constexpr std::size_t told_every = 64;            // boxes
