@@ -9,7 +9,7 @@ const sources = ["reports/web/kinematics.js", ...["toml", "words", "naming", "wa
 const { kempe } = vm.runInNewContext(`${sources.map((name) => readFileSync(`${root}${name}`, "utf8")).join("\n")}; globalThis`, {});
 const schema = JSON.parse(readFileSync(`${root}docs/spec.schema.json`, "utf8"));
 const spec = `title = "Mine"\n\n[copy]\nscale = 0.5\n\n[region]\nrectangle_mm = [0, 0, 120, 80]\n\n[pole]\nat_mm = [-50, 0]\n\n[limits]\nlongest_strip_mm = 150\ntransmission_deg = 60\n
-[links]\nhardware = "M8 bolt"\nwidth_mm = 12\n\n[tolerance]\nlength_mm = 0.1\nplay_mm = 0.05\nrobust = true\n
+[links]\nhardware = "M8 bolt"\nwidth_mm = 12\nsections_mm = [[40, 10]]\n\n[material]\nname = "PLA"\n\n[tolerance]\nlength_mm = 0.1\nplay_mm = 0.05\nrobust = true\n
 [[obstacles]]\nname = "vice"\ncircle_mm = [10, 200, 5]\n\n[[obstacles]]\nname = "vice 2"\ncircle_mm = [50, 200, 5]\n`;
 const doc = new kempe.Doc(spec), task = { region: [[[0, 0], [120, 0], [120, 80], [0, 80]]], pole: { within: [[[0, 0], [10, 0], [10, 10], [0, 10]]] } };
 const isKey = (path) => { const [table, name] = path.split("."); return Boolean(schema.properties[table] && schema.properties[table].properties[name]); };
@@ -26,6 +26,9 @@ test("A way out speaks in the panel's words, with a figure that is also the one 
     ["links.wall_mm", "links.wall_mm = 9 is in the way: two holes of 8.4 mm with a wall of 9 mm between them stand 17.4 mm apart; 3.21987 would do", "Wall between holes: 3.21 mm", "links.wall_mm", 3.21],
     ["links.width_mm", "links.width_mm = 12 is in the way; 9.87654 would do", "Width of the links: 9.87654 mm", "links.width_mm", 9.87654],  // bearings may be as wide
     ["links.hardware", 'links.hardware = "M8 bolt" is in the way; "M5 bolt" would do', "Joints made of: M5 bolt", "links.hardware", "M5 bolt"],
+    ["links.thickness_mm", "links.thickness_mm = 5 is in the way; 9.5 would do", "Thickness of the links: 9.5 mm", "links.thickness_mm", 9.5],
+    ["links.sections_mm", "links.sections_mm: none is stiff enough; 48 x 10 would do", "A strip of 48 × 10 mm", "links.sections_mm", [[40, 10], [48, 10]]],
+    ["material.name", 'material.name = "PLA" is in the way; "birch plywood" would do', "Material: birch plywood", "material.name", "birch plywood"],
     ["pole.at_mm", "pole.at_mm is in the way; the pole at (10, -250) mm would do", "Pole at 10; −250 mm", "pole.at_mm", [10, -250]],
     ["pole.at_mm", "pole.at_mm is in the way; with the pole free to stand within 233.23 mm of the region a design exists", "Pole anywhere within 233.3 mm of the original", "pole.within_mm",
       [[-233.3, -233.3], [353.3, -233.3], [353.3, 313.3], [-233.3, 313.3]]],
@@ -66,6 +69,9 @@ test("A reason names the limit as the panel does, with its unit", () => {
       "No design keeps all limits together; none was found with one of these alone relaxed: “Transmission angle, least”, “Joints apart, most”, the obstacles, the place of the pole"],
     ["pole.at_mm is in the way; with the pole free to stand within 233.23 mm of the region a design exists", "The place of the pole is in the way; with the pole free to stand within 233.3 mm of the original a design exists"],
     ["length_mm = 0.1 and play_mm = 0.05 are in the way; 0.0125 and 0.00625 would do", "“Lengths exact to ±” (0.1 mm) and “Play of each pin” (0.05 mm) are in the way; 0.0125 mm and 0.00625 mm would do"],
+    ["links.sections_mm: none is stiff enough; 48 x 10 would do", "“Strips at hand”: none is stiff enough; 48 × 10 mm would do"],
+    ["with none of the 5 sections; with 40 x 10 mm: links.sections_mm: none is stiff enough; 48 x 10 would do", "With none of the 5 sections; with 40 x 10 mm: “Strips at hand”: none is stiff enough; 48 × 10 mm would do"],
+    ["material.name = \"PLA\" is in the way; \"birch plywood\" would do", "“Material” (PLA) is in the way; \"birch plywood\" would do"],
     ["robust = true is in the way; without it a design exists", "“Holds for all of these” is in the way; without it a design exists"],
     ["links.pin_diameter_mm = 12 is in the way: two holes of 12 mm with a wall of 1.2 mm between them stand 13.2 mm apart, and links.grid_mm leaves them 10 mm; 9.0912 would fit",
       "“Diameter of the pins” (12 mm) is in the way: two holes of 12 mm with a wall of 1.2 mm between them stand 13.2 mm apart, and “Lengths in steps of” leaves them 10 mm; 9.09 mm would fit"],

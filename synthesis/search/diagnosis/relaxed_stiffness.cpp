@@ -115,8 +115,11 @@ void larger(Questions& questions, const Dimension& dimension, const TooSoft& tim
 
 /// The least stiff of the known materials with which there is a design.
 void stiffer_material(Questions& questions, const TooSoft& times) {
-  constexpr const char* key = "material.name";
   const Material& given = *questions.spec().material;
+  const KnownMaterial* known = material_named(given.name);
+  // Figures of the spec's own have to go with the name.
+  const bool is_known = known != nullptr && as_material(*known) == given;
+  const std::string key = is_known ? "material.name" : "material";
   std::vector<const KnownMaterial*> stiffer;
   for (const KnownMaterial& each : known_materials())
     if (as_material(each).E > given.E * std::max(1.0, questions.budget().stiffer.front() * times.by_load))
@@ -131,7 +134,8 @@ void stiffer_material(Questions& questions, const TooSoft& times) {
     if (auto design = questions.best_of(spec))
       return questions.keep(Relaxation{
           .key = key,
-          .sentence = fmt::format("{} = \"{}\" is in the way; \"{}\" would do", key, given.name, each->name),
+          .sentence = fmt::format("{} \"{}\" is in the way; \"{}\" would do",
+                                  is_known ? "material.name =" : "the material", given.name, each->name),
           .design = *std::move(design)});
   }
 }

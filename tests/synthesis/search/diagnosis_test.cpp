@@ -107,7 +107,7 @@ Spec as_told(Spec spec, const std::string& key, const std::string& sentence) {
     spec = with_section(
         spec, {std::stod(sentence.substr(sentence.rfind(';') + 1)), std::stod(sentence.substr(by + 3))});
   }
-  if (key == "material.name") {
+  if (key == "material.name" || key == "material") {
     const std::size_t from = sentence.rfind('"', sentence.rfind('"') - 1) + 1;
     spec.material = as_material(*material_named(sentence.substr(from, sentence.rfind('"') - from)));
   }
@@ -493,6 +493,18 @@ TEST(Diagnosis, LargerSectionsAndAStifferMaterialAreNamedWhereLinksAreTooSoft) {
     EXPECT_FALSE(has_design(as_told(spec, key, fmt::format("in the way; {} would do", size - step))))
         << one->sentence;
   }
+}
+
+/// Figures of its own have to go with its name.
+TEST(Diagnosis, InsteadOfAMaterialOfTheSpecsOwnAKnownOneIsNamed) {
+  Spec spec = soft_nameplate(0.4);
+  spec.material->E *= 0.9;
+  const NoDesign none = nothing_for(spec);
+  ASSERT_NE(of_key(none, "material"), nullptr) << none.sentence;
+  EXPECT_EQ(of_key(none, "material")->sentence,
+            "the material \"PLA\" is in the way; \"birch plywood\" would do");
+  EXPECT_EQ(of_key(none, "material.name"), nullptr);
+  check(spec, none);
 }
 
 TEST(Diagnosis, WhereAllSectionsAreTooSoftAnotherIsNamed) {
