@@ -161,6 +161,20 @@ test("Where nothing exists, the reason is said and a button finds the way out", 
   });
 });
 
+test("Links that are too soft become stiffer by a button: strip, width, thickness or material", async () => {
+  const strips = template("nameplate-pla").replace("load_error_mm = 0.1", "load_error_mm = 0.01");
+  const one = strips.replace(/sections_mm = .*/, "width_mm = 40\nthickness_mm = 10");
+  await on({}, async (page) => {
+    await rested(page);
+    for (const [text, button] of [[strips, /^A strip of /], [one, /^Width of the links: /], [one, /^Thickness of the links: /], [one, /^Material: /]]) {
+      await page.evaluate((spec) => window.kempe.studio.open(spec), text);
+      await page.waitForFunction(() => document.body.dataset.answer === "none");
+      await page.locator("#changes button", { hasText: button }).first().click();
+      await page.waitForFunction(() => document.body.dataset.answer === "design");
+    }
+  });
+});
+
 test("A pole in the wrong place is moved by a button", async () => {
   const text = "[copy]\nscale = 0.5\n[region]\nrectangle_mm = {at = [100, -60], size = [200, 120]}\n[limits]\nsheets_gap_mm = 5\n";
   await on({}, async (page) => {
