@@ -91,7 +91,7 @@
       const enough = givenWay(key, Number(value), doc);
       return { words: `${kempe.words.nameOf(key)}: ${withUnit(enough, key)}`, text: doc.with(key, enough) };
     }],
-    [new RegExp(`^links\\.sections_mm: none .*; (${number}) x (${number}) would do`), ([, ...sizes], { key, doc }) => {
+    [new RegExp(`^links\\.sections_mm has none .*; with (${number}) x (${number}) added`), ([, ...sizes], { key, doc }) => {
       const section = sizes.map(Number), given = doc.get(key);
       return { words: `A strip of ${sizes.map((size) => figure(Number(size))).join(" × ")}\u00a0mm`, text: doc.with(key, [...(Array.isArray(given) ? given : []), section]) };
     }],
@@ -139,7 +139,7 @@
         `${withUnit(safely(Number(off), false), "_mm")} and ${withUnit(safely(Number(loose), false), "_mm")} would do`)
       .replace(new RegExp(`(; the pole )(${number})( mm outside it would do)`), wide)
       .replace(new RegExp(`(free to stand within )(${number})( mm of the region)`), wide)
-      .replace(new RegExp(`; (${number}) x (${number}) would do`), (_, width, thickness) => `; ${figure(Number(width))} × ${withUnit(Number(thickness), "_mm")} would do`)
+      .replace(new RegExp(`; with (${number}) x (${number}) added`), (_, width, thickness) => `; with ${figure(Number(width))} × ${withUnit(Number(thickness), "_mm")} added`)
       .replace(new RegExp(`; (${number}) would (do|fit)`), (_, value, verb) => `; ${withUnit(givenWay(first, Number(value), doc), first)} would ${verb}`)
       .replace(keyed, (_, path, value) => quoted(path) + (value === undefined || value === "true" ? "" : ` (${value[0] === '"' ? value.slice(1, -1) : withUnit(Number(value), path)})`))
       .replace(/(relaxed: .*)$/, (_, list) => list.replace(/\b(obstacles|bodies|table)\b(?=,|$)/g, (name) => quoted(name)))

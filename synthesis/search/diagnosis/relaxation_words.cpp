@@ -37,8 +37,9 @@ std::string length_would_do(const std::string& key, double demanded, double poss
 }
 
 std::string section_would_do(const LinkSection& section, SpecUnit unit) {
-  return fmt::format("{}: none is stiff enough; {} x {} would do", name_in(unit, "links.sections_mm"),
-                     six_digits(section.width, unit), six_digits(section.thickness, unit));
+  return fmt::format("{} has none that is stiff enough; with {} x {} added a design exists",
+                     name_in(unit, "links.sections_mm"), six_digits(section.width, unit),
+                     six_digits(section.thickness, unit));
 }
 
 std::string would_do(const std::string& key, double demanded, double possible) {

@@ -22,7 +22,7 @@ std::string place_text(const Point& place, SpecUnit unit);
 std::string holes_sentence(const Spec& spec, SpecUnit unit);
 /// "limits.clearance_mm = 2 is in the way; 1.5 would do", of lengths in mm.
 std::string length_would_do(const std::string& key, double demanded, double possible, SpecUnit unit);
-/// "links.sections_mm: none is stiff enough; 20 x 5 would do"
+/// "links.sections_mm has none that is stiff enough; with 20 x 5 added a design exists"
 std::string section_would_do(const LinkSection& section, SpecUnit unit);
 /// "links.layers = 2 is in the way; 3 would do", with the values in the key's own unit.
 std::string would_do(const std::string& key, double demanded, double possible);

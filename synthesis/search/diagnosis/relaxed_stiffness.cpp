@@ -113,6 +113,16 @@ void larger(Questions& questions, const Dimension& dimension, const TooSoft& tim
                             .is_least = found->is_least});
 }
 
+std::string known_would_do(const Material& given, const KnownMaterial& other) {
+  return fmt::format("material.name = \"{}\" is in the way; \"{}\" would do", given.name, other.name);
+}
+
+std::string instead_of_own(const Material& given, const KnownMaterial& other) {
+  return fmt::format(
+      "the material \"{}\", with figures of its own, is in the way; \"{}\" without them would do", given.name,
+      other.name);
+}
+
 /// The least stiff of the known materials with which there is a design.
 void stiffer_material(Questions& questions, const TooSoft& times) {
   const Material& given = *questions.spec().material;
@@ -122,7 +132,8 @@ void stiffer_material(Questions& questions, const TooSoft& times) {
   const std::string key = is_known ? "material.name" : "material";
   std::vector<const KnownMaterial*> stiffer;
   for (const KnownMaterial& each : known_materials())
-    if (as_material(each).E > given.E * std::max(1.0, questions.budget().stiffer.front() * times.by_load))
+    if (each.name != given.name &&
+        as_material(each).E > given.E * std::max(1.0, questions.budget().stiffer.front() * times.by_load))
       stiffer.push_back(&each);
   std::stable_sort(stiffer.begin(), stiffer.end(),
                    [](const auto* one, const auto* other) { return one->E_GPa < other->E_GPa; });
@@ -132,11 +143,10 @@ void stiffer_material(Questions& questions, const TooSoft& times) {
     Spec spec = questions.spec();
     spec.material = as_material(*each);
     if (auto design = questions.best_of(spec))
-      return questions.keep(Relaxation{
-          .key = key,
-          .sentence = fmt::format("{} \"{}\" is in the way; \"{}\" would do",
-                                  is_known ? "material.name =" : "the material", given.name, each->name),
-          .design = *std::move(design)});
+      return questions.keep(
+          Relaxation{.key = key,
+                     .sentence = is_known ? known_would_do(given, *each) : instead_of_own(given, *each),
+                     .design = *std::move(design)});
   }
 }
 

@@ -103,9 +103,8 @@ Spec as_told(Spec spec, const std::string& key, const std::string& sentence) {
   if (key == "links.width_mm") spec.links.style.width = value();
   if (key == "links.thickness_mm") spec.links.style.thickness = value();
   if (key == "links.sections_mm") {
-    const std::size_t by = sentence.rfind(" x ");
-    spec = with_section(
-        spec, {std::stod(sentence.substr(sentence.rfind(';') + 1)), std::stod(sentence.substr(by + 3))});
+    const std::size_t by = sentence.rfind(" x "), with = sentence.rfind("with ");
+    spec = with_section(spec, {std::stod(sentence.substr(with + 5)), std::stod(sentence.substr(by + 3))});
   }
   if (key == "material.name" || key == "material") {
     const std::size_t from = sentence.rfind('"', sentence.rfind('"') - 1) + 1;
@@ -502,7 +501,8 @@ TEST(Diagnosis, InsteadOfAMaterialOfTheSpecsOwnAKnownOneIsNamed) {
   const NoDesign none = nothing_for(spec);
   ASSERT_NE(of_key(none, "material"), nullptr) << none.sentence;
   EXPECT_EQ(of_key(none, "material")->sentence,
-            "the material \"PLA\" is in the way; \"birch plywood\" would do");
+            "the material \"PLA\", with figures of its own, is in the way; \"birch plywood\" without them "
+            "would do");
   EXPECT_EQ(of_key(none, "material.name"), nullptr);
   check(spec, none);
 }
