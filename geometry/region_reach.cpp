@@ -113,6 +113,10 @@ DistanceRange RegionReach::range(const Point& from) const {
   return {std::max(0.0, nearest(from).distance), farthest(from).distance};
 }
 
+double RegionReach::distance_from_box(const Point& point) const {
+  return std::sqrt(squared_distance(box_, point));
+}
+
 bool RegionReach::contains(const Point& point) const {
   bool inside = false;
   OpenNodes open;

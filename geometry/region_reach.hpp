@@ -40,6 +40,9 @@ class RegionReach {
 
   bool contains(const Point& point) const;
 
+  /// Distance from the region's bounding box, mm; 0 inside. The region is no nearer.
+  double distance_from_box(const Point& point) const;
+
   const std::vector<BoundaryEdge>& edges() const { return edges_; }
   /// Corners of the convex hull, counter-clockwise, no three on a line.
   const std::vector<Point>& hull() const { return hull_; }

@@ -54,12 +54,16 @@ void SearchSpace::list_gap_corners() {
     gap_corners_.insert(gap_corners_.end(), {{corner, true}, {corner, false}});
 }
 
-SearchSpace::CornerGap SearchSpace::copy_gap(const GapCorner& corner, const Point& pole) const {
-  // A corner of the copy lies at pole + k (z - pole). A corner z of the region against the copy is, |k| times as large,
-  // pole + (z - pole)/k against the region.
+/// A corner of the copy lies at pole + k (z - pole). A corner z of the region against the copy is, |k| times as large,
+/// pole + (z - pole)/k against the region.
+SearchSpace::AgainstRegion SearchSpace::against_region(const GapCorner& corner, const Point& pole) const {
   const Complex factor = corner.is_copied ? k() : 1.0 / k();
-  const double scale = corner.is_copied ? 1 : std::abs(k());
-  const Point place = pole + as_point(factor * as_complex(corner.corner - pole));
+  return {pole + as_point(factor * as_complex(corner.corner - pole)), factor,
+          corner.is_copied ? 1 : std::abs(k())};
+}
+
+SearchSpace::CornerGap SearchSpace::copy_gap(const GapCorner& corner, const Point& pole) const {
+  const auto [place, factor, scale] = against_region(corner, pole);
   const RegionReach::Nearest nearest = region_.nearest(place);
   const BoundaryEdge& edge = region_.edges()[nearest.edge];
   const double away = std::abs(nearest.distance);
@@ -72,7 +76,13 @@ SearchSpace::CornerGap SearchSpace::copy_gap(const GapCorner& corner, const Poin
 SearchSpace::SmallestCopyGap SearchSpace::smallest_copy_gap(const Point& pole) const {
   SmallestCopyGap smallest{std::numeric_limits<double>::infinity(), 0};
   for (std::size_t i = 0; i < gap_corners_.size(); ++i) {
-    const double distance = copy_gap(gap_corners_[i], pole).distance;
+    const AgainstRegion corner = against_region(gap_corners_[i], pole);
+    // What is sooner known of a place: outside the region its gap is no smaller than 0, nor than that to the region's box.
+    const bool is_no_nearer = smallest.distance > 0
+                                  ? corner.scale * region_.distance_from_box(corner.place) > smallest.distance
+                                  : !region_.contains(corner.place);
+    if (is_no_nearer) continue;
+    const double distance = corner.scale * region_.nearest(corner.place).distance;
     if (distance < smallest.distance) smallest = {distance, i};
   }
   return smallest;

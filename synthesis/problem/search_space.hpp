@@ -77,6 +77,13 @@ class SearchSpace {
   std::vector<HalfPlane> room_around(const Point& pole) const;
 
  private:
+  /// Where a corner lies against the region itself, with the map's derivative by the pole (as 1 minus it) and how many times as large its gap is.
+  struct AgainstRegion {
+    Point place;
+    Complex factor;
+    double scale;
+  };
+  AgainstRegion against_region(const GapCorner& corner, const Point& pole) const;
   void sample_poles();
   void list_gap_corners();
 
