@@ -13,6 +13,8 @@ using namespace row_parts;
 
 /// Openings at which contacts are looked for between the region's two openings, before each is refined.
 constexpr int openings_looked_at = 33;
+/// Factor: between two openings a gap falls by no more than so many times what it rises beside them.
+constexpr double falls_at_most = 2;
 /// Contacts nearer than this become rows from the start, in shares of the task's size.
 constexpr double contact_band = 0.05;
 /// Load errors that come to this share of their limit become rows from the start; others where a solution breaks the limit there.
@@ -213,6 +215,9 @@ void DesignProblem::add_contacts(std::vector<Row>& rows, const DesignVector& x, 
     for (int i = 0; i <= last; ++i) {
       const auto at = [&](int j) { return gap[static_cast<std::size_t>(std::clamp(j, 0, last))]; };
       if (at(i) > at(i - 1) || at(i) > at(i + 1) || (i > 0 && at(i) == at(i - 1))) continue;
+      // Where the gap is convex it falls between two openings by no more than it rises beside them.
+      const double rise = std::max(at(i - 1), at(i + 1)) - at(i);
+      if (at(i) - falls_at_most * rise - least >= band * layout_.unit) continue;
       const double below = std::max(0, i - 1) / static_cast<double>(last);
       const double above = std::min(last, i + 1) / static_cast<double>(last);
       const Row row{Row::Kind::contact, t, tightest_share(terms_.gaps[t], x, below, above)};
