@@ -45,11 +45,12 @@ double excess_share(double value, double limit) {
 }  // namespace
 
 DesignProblem::DesignProblem(const SearchSpace& space, const Choice& choice, const Requirements& limits,
-                             Goal goal, const OpeningInterval& allowed, ContactTerms terms)
+                             Goal goal, const OpeningInterval& allowed, ContactTerms terms,
+                             const StockLengths& locked)
     : space_(space), choice_(choice), limits_(limits), goal_(goal), allowed_(allowed),
       terms_(std::move(terms)), roles_(roles_of(choice.grounding)),
-      reach_(space.k(), choice.grounding, choice.assembly_mode),
-      box_(length_box(reach_, limits, space.spec().links.stock_lengths)), layout_(space.layout()) {
+      reach_(space.k(), choice.grounding, choice.assembly_mode), box_(length_box(reach_, limits, locked)),
+      layout_(space.layout()) {
   layout_.pole_is_free = space.pole_is_free(limits) || goal == Goal::pole_margin;
   layout_.has_goal = goal_is_variable(goal);
   if (!terms_.obstacles.empty()) places_ = space.tracer_places();
@@ -268,7 +269,11 @@ DesignVector DesignProblem::vector_of(const DesignPoint& point) const {
   x[DesignLayout::near_opening] = reach_.opening_at(point.lengths, std::max(distances.nearest, 0.0));
   x[DesignLayout::far_opening] = reach_.opening_at(point.lengths, distances.farthest);
   layout_.set_pole(x, point.pole);
-  if (layout_.has_goal) x[layout_.goal()] = goal_in_vector(assess(point, search_openings).attained.of(goal_));
+  if (goal_ == Goal::transmission)
+    x[layout_.goal()] = std::min(reach_.from_near_end(x[DesignLayout::near_opening]),
+                                 reach_.from_far_end(x[DesignLayout::far_opening]));
+  else if (layout_.has_goal)
+    x[layout_.goal()] = goal_in_vector(assess(point, search_openings).attained.of(goal_));
   return x.cwiseMax(lower_bounds()).cwiseMin(upper_bounds());
 }
 

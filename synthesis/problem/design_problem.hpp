@@ -101,9 +101,13 @@ OpeningInterval openings_with_transmission(const Reach& reach, double transmissi
 class DesignProblem {
  public:
   /// `allowed`: the openings at which transmission and copy error keep their limits; `terms`: the pairs that
-  /// must keep their clearance, none for the relaxation without contact.
+  /// must keep their clearance, none for the relaxation without contact; `locked`: lengths that are, the spec's unless others are given.
   DesignProblem(const SearchSpace& space, const Choice& choice, const Requirements& limits, Goal goal,
-                const OpeningInterval& allowed, ContactTerms terms);
+                const OpeningInterval& allowed, ContactTerms terms, const StockLengths& locked);
+  DesignProblem(const SearchSpace& space, const Choice& choice, const Requirements& limits, Goal goal,
+                const OpeningInterval& allowed, ContactTerms terms)
+      : DesignProblem(space, choice, limits, goal, allowed, std::move(terms),
+                      space.spec().links.stock_lengths) {}
 
   /// What a cost is divided by to be of order 1.
   double goal_scale() const;

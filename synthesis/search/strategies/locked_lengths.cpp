@@ -9,12 +9,11 @@
 namespace kempe {
 namespace {
 
-/// The spec with both lengths locked.
-Spec locked(const Spec& spec, const LengthPair& lengths) {
-  Spec result = spec;
-  result.links.stock_lengths = {};
-  result.links.stock_lengths.locked[0] = lengths.VA;
-  result.links.stock_lengths.locked[1] = lengths.VB;
+/// Both lengths locked, and no others.
+StockLengths locked(const LengthPair& lengths) {
+  StockLengths result;
+  result.locked[0] = lengths.VA;
+  result.locked[1] = lengths.VB;
   return result;
 }
 
@@ -35,16 +34,16 @@ std::vector<DesignPoint> starts_of(const Prospect& prospect, const LengthPair& l
 
 class LockedLengths {
  public:
-  LockedLengths(const SearchTask& task, const LengthPair& lengths)
-      : task_(task), space_(locked(task.space().spec(), lengths)) {}
+  LockedLengths(const SearchTask& task, const LengthPair& lengths) : task_(task), locked_(locked(lengths)) {}
 
   std::uint64_t evaluations() const { return evaluations_; }
 
   /// Where it is proven that these lengths are too soft wherever the pole stands: sooner than a search in vain. Where the pole stands fast
   /// a look at the one design is sooner still.
   bool are_too_soft(Grounding grounding) const {
-    if (!task_.limits.load_error || space_.spec().pole.is_fixed()) return false;
-    Spec spec = space_.spec();
+    if (!task_.limits.load_error || task_.spec().pole.is_fixed()) return false;
+    Spec spec = task_.space().spec();
+    spec.links.stock_lengths = locked_;
     spec.objective.groundings = {grounding};
     return is_too_soft_anywhere(task_, spec);
   }
@@ -52,7 +51,8 @@ class LockedLengths {
   /// The best of a goal, without contact if there is none given.
   ChoiceResult search(const Subproblem& sub, const ContactTerms& contact, Goal sought,
                       std::vector<DesignPoint> hints) {
-    const DesignProblem problem(space_, sub.choice->choice, task_.limits, sought, sub.allowed, contact);
+    const DesignProblem problem(task_.space(), sub.choice->choice, task_.limits, sought, sub.allowed, contact,
+                                locked_);
     ChoiceOptions options = choice_options(task_, task_.budgets().choice.with_locked_lengths(
                                                       sought == Goal::footprint, !contact.obstacles.empty()));
     options.hints = std::move(hints);
@@ -73,15 +73,15 @@ class LockedLengths {
       if (led.feasible) found = led;
     }
     Subproblem here{sub.choice, sub.allowed,
-                    std::make_unique<DesignProblem>(space_, sub.choice->choice, task_.limits, goal,
-                                                    sub.allowed, contact)};
+                    std::make_unique<DesignProblem>(task_.space(), sub.choice->choice, task_.limits, goal,
+                                                    sub.allowed, contact, locked_)};
     found = certified(task_, here, found);
     return found.feasible ? design_of(task_, here, found) : std::nullopt;
   }
 
  private:
   const SearchTask& task_;
-  SearchSpace space_;
+  StockLengths locked_;
   std::uint64_t evaluations_ = 0;
 };
 

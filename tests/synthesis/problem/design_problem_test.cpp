@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "synthesis/problem/choices.hpp"
 #include "synthesis/solvers/gradient_check.hpp"
+#include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 
 namespace kempe {
@@ -144,6 +147,99 @@ TEST(DesignProblem, EveryDerivativeIsThatOfItsValue) {
   EXPECT_EQ(rows.size(), 16U) << "a kind of row was never met";
   EXPECT_LT(objectives.gradient, 1e-7);
   EXPECT_LT(objectives.hessian, 1e-6);
+}
+
+/// A random choice of a spec without load, at a random design.
+struct Posed {
+  Spec spec;
+  Requirements limits;
+  std::unique_ptr<SearchSpace> space;
+  std::vector<ContactChoice> choices;
+  std::size_t chosen = 0;
+  OpeningInterval allowed{};
+
+  explicit Posed(test::SpecDice& dice)
+      : spec(dice.spec()), limits(requirements_of(spec)), space(std::make_unique<SearchSpace>(spec)),
+        choices(choices_of(spec)) {
+    chosen = static_cast<std::size_t>(dice.uniform(0, 0.999) * static_cast<double>(choices.size()));
+    const Choice& choice = choices[chosen].choice;
+    allowed = openings_with_transmission(Reach(spec.copy.k(), choice.grounding, choice.assembly_mode),
+                                         limits.transmission);
+  }
+  DesignProblem problem(Goal goal) const {
+    return {*space, choices[chosen].choice, limits, goal, allowed, choices[chosen].terms};
+  }
+  const std::vector<GapTerm>& gaps() const { return choices[chosen].terms.gaps; }
+};
+
+TEST(DesignProblem, EachContactThatIsNearAtSomeOpeningIsARow) {
+  test::SpecDice dice(5113);
+  int near = 0, missed = 0;
+  for (int i = 0; i < test::samples(3000); ++i) {
+    const Posed posed(dice);
+    const DesignProblem problem = posed.problem(Goal::size);
+    if (!problem.possible()) continue;
+    const std::array<double, 4> z{dice.uniform(0, 1), dice.uniform(0, 1), dice.uniform(0, 1),
+                                  dice.uniform(0, 1)};
+    const DesignPoint point =
+        problem.unit_point(std::span(z).first(static_cast<std::size_t>(problem.cube_dimensions())));
+    const DesignVector x = problem.vector_of(point);
+    const double from = x[DesignLayout::near_opening], to = x[DesignLayout::far_opening];
+    const auto gap_at = [&](std::size_t term, double share) {
+      return gap_value(posed.gaps()[term],
+                       JointFrame(problem.reach().shape(), std::exp(x[DesignLayout::log_VA]),
+                                  std::exp(x[DesignLayout::log_VB]), from + share * (to - from)));
+    };
+    const std::vector<Row> rows = problem.rows_at(x);
+    for (std::size_t term = 0; term < posed.gaps().size(); ++term) {
+      double least = infinity;
+      for (int j = 0; j <= 1000; ++j) least = std::min(least, gap_at(term, j / 1000.0));
+      if (least - posed.limits.clearance > 0.049 * posed.space->layout().unit) continue;
+      ++near;
+      missed += std::none_of(rows.begin(), rows.end(), [&](const Row& row) {
+        return row.kind == Row::Kind::contact && row.index == term &&
+               gap_at(term, row.share) < least + 1e-3 * posed.space->layout().unit;
+      });
+    }
+  }
+  EXPECT_GT(near, test::expected(1000));
+  EXPECT_EQ(missed, 0) << "of " << near;
+}
+
+TEST(DesignProblem, LengthsLockedForOneProblemAreThoseOfASpecThatLocksThem) {
+  test::SpecDice dice(5209);
+  int compared = 0;
+  for (int i = 0; i < test::samples(200); ++i) {
+    Posed posed(dice);
+    const DesignProblem free = posed.problem(Goal::size);
+    if (!free.possible()) continue;
+    const std::array<double, 4> z{dice.uniform(0, 1), dice.uniform(0, 1), dice.uniform(0, 1),
+                                  dice.uniform(0, 1)};
+    const DesignPoint at =
+        free.unit_point(std::span(z).first(static_cast<std::size_t>(free.cube_dimensions())));
+    StockLengths locked;
+    locked.locked[0] = std::exp(at.lengths.u);
+    locked.locked[1] = std::exp(at.lengths.v);
+    const ContactChoice& choice = posed.choices[posed.chosen];
+    const DesignProblem here(*posed.space, choice.choice, posed.limits, Goal::size, posed.allowed,
+                             choice.terms, locked);
+    Spec spec = posed.spec;
+    spec.links.stock_lengths = locked;
+    const SearchSpace other(spec);
+    const DesignProblem there(other, choice.choice, posed.limits, Goal::size, posed.allowed, choice.terms);
+    ASSERT_EQ(here.possible(), there.possible()) << i;
+    if (!here.possible()) continue;
+    ASSERT_TRUE(here.lengths_are_locked() && there.lengths_are_locked()) << i;
+    const auto places = std::span(z).first(static_cast<std::size_t>(here.cube_dimensions()));
+    const DesignPoint one = here.unit_point(places), same = there.unit_point(places);
+    EXPECT_EQ(one.lengths.u, same.lengths.u);
+    EXPECT_EQ(one.lengths.v, same.lengths.v);
+    EXPECT_EQ(one.pole, same.pole);
+    EXPECT_EQ(here.rows_at(here.vector_of(one)), there.rows_at(there.vector_of(same)));
+    EXPECT_EQ(here.assess(one, 33).violation, there.assess(same, 33).violation);
+    ++compared;
+  }
+  EXPECT_GT(compared, test::expected(100));
 }
 
 TEST(DesignProblem, TheProductsOwnCheckFindsAWrongDerivative) {
