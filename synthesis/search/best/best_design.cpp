@@ -60,14 +60,16 @@ std::span<Prospect> next_group(const SearchTask& task, std::span<Prospect> rest,
 bool has_any(const Incumbent& best) { return best.result.feasible || best.design; }
 
 /// `asks_for_proof`: that no design keeps the limit on the load error. A little is spent on it at first, where the tree has not been asked
-/// already; where nothing is found, more, once, as soon as no choice that is left keeps the limit without contact.
+/// already; where nothing is found, more, once, as soon as no choice that is left keeps the limit without contact. `relaxed` becomes all
+/// choices as they were relaxed.
 SearchResult best_by(const Strategy& strategy, const SearchTask& task,
-                     const std::vector<RelaxedDesign>& known, bool asks_for_proof) {
+                     const std::vector<RelaxedDesign>& known, bool asks_for_proof,
+                     std::vector<Prospect>& relaxed) {
   const ProofBudget& proof = task.budgets().proof;
   if (asks_for_proof && !suits_tree_search(task) && none_keeps_loads(task, proof.boxes_at_first_under_load))
     return {.proven_none = true};
   Incumbent best;
-  std::vector<Prospect> order = strategy.relax(task, known, best);
+  std::vector<Prospect>& order = relaxed = strategy.relax(task, known, best);
   std::size_t searched = 0;
   while (searched < order.size() && !task.stopped()) {
     const std::span<Prospect> rest = std::span(order).subspan(searched);
@@ -91,10 +93,12 @@ SearchResult best_by(const Strategy& strategy, const SearchTask& task,
           .evaluations = best.evaluations};
 }
 
-/// The best with any lengths. Among obstacles, where there are stock lengths to come, by the tree if it closes.
+/// The best with any lengths. Among obstacles, where there are stock lengths to come, by the tree if it closes. `relaxed` as in best_by; not
+/// by the tree.
 SearchResult best_of_any_lengths(const SearchTask& task, const std::vector<RelaxedDesign>& known,
-                                 bool asks_for_proof) {
-  if (!has_stock_lengths(task.spec())) return best_by(strategy_for(task.goal), task, known, asks_for_proof);
+                                 bool asks_for_proof, std::vector<Prospect>& relaxed) {
+  if (!has_stock_lengths(task.spec()))
+    return best_by(strategy_for(task.goal), task, known, asks_for_proof, relaxed);
   const SearchTask in_part = task.control.has_time_limit()
                                  ? task.with(task.control.part_of_time(task.budgets().time.any_lengths))
                                  : task;
@@ -106,7 +110,7 @@ SearchResult best_of_any_lengths(const SearchTask& task, const std::vector<Relax
   const bool by_tree_first = suits_tree_search(any) && !any.space().obstacles().empty();
   SearchResult by_tree = by_tree_first ? best_by_tree(any) : SearchResult{};
   if (by_tree.exhausted || by_tree.proven_none) return by_tree;
-  SearchResult found = best_by(strategy_for(task.goal), in_part, known, asks_for_proof);
+  SearchResult found = best_by(strategy_for(task.goal), in_part, known, asks_for_proof, relaxed);
   keep_better(task.goal, by_tree.design, found.design);
   found.evaluations += by_tree.evaluations;
   return found;
@@ -125,10 +129,12 @@ std::optional<double> bound_of(Goal goal, const FirstLook& look, const std::opti
 SearchResult best_by_choices(const SearchTask& task, const FirstLook& look, bool asks_for_proof) {
   const auto proof = look.proof_is_whole ? look.proof : prove(task, task.stop());
   if (proof && proof->no_design) return {.proven_none = true};
-  SearchResult found = best_of_any_lengths(task, starts_of(proof), asks_for_proof);
+  std::vector<Prospect> relaxed;
+  SearchResult found = best_of_any_lengths(task, starts_of(proof), asks_for_proof, relaxed);
   if (found.proven_none) return {.proven_none = true, .evaluations = found.evaluations};
   const bool stopped = found.stopped;
-  if (found.design && has_stock_lengths(task.spec())) found = best_with_stock_lengths(task, found);
+  if (found.design && has_stock_lengths(task.spec()))
+    found = best_with_stock_lengths(task, found, std::move(relaxed));
   found.stopped = found.stopped || stopped;
   if (found.stopped) keep_better(task.goal, look.design, found.design);
   found.bound = bound_of(task.goal, look, proof);

@@ -34,11 +34,13 @@ std::vector<std::vector<std::size_t>> alike_in(const std::vector<Prospect>& pros
   return groups;
 }
 
-/// Solves the problem without contact. `without_load`: what it comes to without the limit on the load error.
+/// Solves the problem without contact. `without_load`: what it comes to without the limit on the load error, after which the same poles are
+/// promising.
 void relax_one(const SearchTask& task, Prospect& prospect, const ChoiceResult* without_load = nullptr) {
   const Subproblem& sub = prospect.subproblem;
   const DesignProblem problem(task.space(), sub.choice->choice, task.limits, task.goal, sub.allowed, {});
-  prospect.poles = promising_poles(problem, task.budgets().pole, task.budgets().local, task.stop());
+  if (!without_load)
+    prospect.poles = promising_poles(problem, task.budgets().pole, task.budgets().local, task.stop());
   const ChoiceBudgets& budgets = task.budgets().choice;
   const bool pole_is_free = task.space().layout().pole_is_free;
   ChoiceOptions options = choice_options(task, without_load ? budgets.without_contact_under_load(pole_is_free)
@@ -54,18 +56,26 @@ void relax_one(const SearchTask& task, Prospect& prospect, const ChoiceResult* w
   prospect.relaxed = search_choice(problem, options);
 }
 
+/// With the limit on the load error, if any design without contact and without that limit is feasible.
+void relax_one_under_load(const SearchTask& task, Prospect& prospect) {
+  prospect.lacks_load_limit = false;
+  if (const ChoiceResult without_load = prospect.relaxed; without_load.feasible)
+    relax_one(task, prospect, &without_load);
+}
+
+/// What is known of one without contact, for another that differs from it in its layers alone.
+void learn_from(const Prospect& alike, Prospect& prospect) {
+  prospect.relaxed = alike.relaxed;
+  prospect.poles = alike.poles;
+  prospect.lacks_load_limit = alike.lacks_load_limit;
+}
+
 /// With the limit on the load error, for all that differ from the first in their layers alone.
 void relax_first_under_load(const SearchTask& task, std::span<Prospect> order) {
   Prospect& first = order.front();
-  const ChoiceResult without_load = first.relaxed;
-  relax_one(task, first, &without_load);
-  first.lacks_load_limit = false;
+  relax_one_under_load(task, first);
   for (Prospect& other : order.subspan(1))
-    if (other.lacks_load_limit && are_alike(other.subproblem, first.subproblem)) {
-      other.relaxed = first.relaxed;
-      other.poles = first.poles;
-      other.lacks_load_limit = false;
-    }
+    if (other.lacks_load_limit && are_alike(other.subproblem, first.subproblem)) learn_from(first, other);
 }
 
 }  // namespace
@@ -80,14 +90,27 @@ std::vector<Prospect> prospects_of(const SearchTask& task, std::vector<Subproble
   run_parallel(groups.size(), task.control.options().threads, [&](std::size_t i) {
     Prospect& first = prospects[groups[i].front()];
     relax_one(at_first ? *at_first : task, first);
-    if (const ChoiceResult relaxed = first.relaxed; at_first && relaxed.feasible)
-      relax_one(task, first, &relaxed);
-    for (const std::size_t other : groups[i]) {
-      prospects[other].relaxed = first.relaxed;
-      prospects[other].poles = first.poles;
-    }
+    if (at_first) relax_one_under_load(task, first);
+    for (const std::size_t other : groups[i]) learn_from(first, prospects[other]);
   });
   return prospects;
+}
+
+void relax_rest_under_load(const SearchTask& task, std::vector<Prospect>& prospects) {
+  const auto groups = alike_in(prospects);
+  run_parallel(groups.size(), task.control.options().threads, [&](std::size_t i) {
+    Prospect& first = prospects[groups[i].front()];
+    if (!first.lacks_load_limit) return;
+    relax_one_under_load(task, first);
+    for (const std::size_t other : groups[i]) learn_from(first, prospects[other]);
+  });
+}
+
+void sort_by_choice(std::span<Prospect> prospects) {
+  std::stable_sort(prospects.begin(), prospects.end(), [](const Prospect& a, const Prospect& b) {
+    const Subproblem &one = a.subproblem, &other = b.subproblem;
+    return std::pair(one.choice, one.allowed.lower) < std::pair(other.choice, other.allowed.lower);
+  });
 }
 
 void sort_by_promise(std::span<Prospect> prospects) {

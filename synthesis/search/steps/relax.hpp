@@ -27,6 +27,8 @@ std::vector<Prospect> prospects_of(const SearchTask& task, std::vector<Subproble
 
 /// The best first.
 void sort_by_promise(std::span<Prospect> prospects);
+/// In the order of the subproblems of one problem.
+void sort_by_choice(std::span<Prospect> prospects);
 
 /// All choices of the task, in the order of what they can be at best.
 std::vector<Prospect> relax(const SearchTask& task, const std::vector<RelaxedDesign>& known);
@@ -40,5 +42,8 @@ bool may_beat(const Prospect& prospect, const ChoiceResult& best);
 /// Relaxes anew, with the limit on the load error, what comes first in the order without it, until what comes first has it or cannot
 /// beat `best`. Returns the evaluations.
 std::uint64_t relax_under_load(const SearchTask& task, std::span<Prospect> order, const ChoiceResult& best);
+
+/// The same of all that still lack it.
+void relax_rest_under_load(const SearchTask& task, std::vector<Prospect>& prospects);
 
 }  // namespace kempe

@@ -201,11 +201,20 @@ SearchResult best_with_another_ratio(const SearchTask& task, const std::vector<P
   return farther;
 }
 
+/// All choices without contact, of the quick goal; as far as they are known from the search with any lengths, these.
+std::vector<Prospect> prospects_from(const SearchTask& task, std::vector<Prospect> relaxed) {
+  const SearchTask quick = task.with(quick_goal(task.goal));
+  if (relaxed.empty() || quick.goal != task.goal) return prospects_of(quick, quick.subproblems(), {});
+  sort_by_choice(relaxed);
+  relax_rest_under_load(task, relaxed);
+  return relaxed;
+}
+
 }  // namespace
 
-SearchResult best_with_stock_lengths(const SearchTask& task, const SearchResult& any_lengths) {
-  const SearchTask quick = task.with(quick_goal(task.goal));
-  const std::vector<Prospect> prospects = prospects_of(quick, quick.subproblems(), {});
+SearchResult best_with_stock_lengths(const SearchTask& task, const SearchResult& any_lengths,
+                                     std::vector<Prospect> relaxed) {
+  const std::vector<Prospect> prospects = prospects_from(task, std::move(relaxed));
   SearchResult result = best_with_exact_ratio({task, prospects, any_lengths.design});
   result.evaluations += any_lengths.evaluations;
   if (result.design || result.stopped || !any_lengths.design) return result;

@@ -5,6 +5,7 @@
 
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/steps/design_check.hpp"
+#include "synthesis/search/steps/relax.hpp"
 #include "synthesis/search/strategies/ratio_lengths.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
@@ -168,6 +169,36 @@ TEST(StockLengthSearch, AStockThatHoldsTheBestDesignsLengthsGivesThatDesign) {
     ++compared;
   }
   EXPECT_EQ(compared, wanted);
+}
+
+/// What the search with any lengths knows of the choices spares work, in whatever order it comes, and leads to the same design.
+TEST(StockLengthSearch, ChoicesThatAreRelaxedAlreadyLeadToTheSameDesign) {
+  test::SpecDice dice(59);
+  int compared = 0;
+  for (int i = 0; i < test::samples(24); ++i) {
+    Spec spec = dice.spec();
+    if (i % 2 == 0) spec.objective.objective = Objective::transmission;
+    if (dice.one_in(2)) {
+      spec.material = Material{"steel", 200000, 7850, 235};
+      spec.load = Load{10};
+    }
+    const auto free = found_in_stock(spec);
+    if (!free) continue;
+    if (spec.load) spec.limits.load_error = 1.2 * free->attained.load_error;
+    spec.links.stock_lengths.grid = 1;
+    const SearchTask task = pose(spec, SearchControl({}));
+    const SearchResult any{.design = free};
+    std::vector<Prospect> relaxed = relax_without_load(task, {});
+    std::reverse(relaxed.begin(), relaxed.end());
+    const SearchResult afresh = best_with_stock_lengths(task, any, {}),
+                       known = best_with_stock_lengths(task, any, std::move(relaxed));
+    ASSERT_EQ(afresh.design.has_value(), known.design.has_value()) << i;
+    if (!afresh.design) continue;
+    ++compared;
+    EXPECT_EQ(afresh.design->value, known.design->value) << i;
+    EXPECT_EQ(afresh.design->layers, known.design->layers) << i;
+  }
+  EXPECT_GT(compared, test::expected(8));
 }
 
 TEST(StockLengthSearch, ALockedLengthIsKeptAndTheRestSolved) {
