@@ -108,19 +108,37 @@ ChoiceResult kept_where_feasible(const DesignProblem& problem, const DesignPoint
   return best;
 }
 
-/// The exchange method: solve, add the rows that the solution violates, solve again; then the last digits.
+/// True if a solution, of which rows may be missing, is no better than the design known. More rows make a local solution worse; that they lead to
+/// another, better one is rare.
+bool is_no_better(const DesignProblem& problem, const SmoothProgram& program, const DesignVector& x,
+                  const ChoiceResult& known) {
+  const double cost = program.objective(x, nullptr) * problem.goal_scale();
+  const double gain = slack::at_bound * std::abs(known.cost);
+  if (cost < known.cost - gain) return false;
+  return cost > known.cost + gain ||
+         size_at(problem, problem.point_of(x)) > known.size * (1 - slack::at_bound);
+}
+
+/// The exchange method: solve, add the rows that the solution violates, solve again; then the last digits. Given up once a
+/// solution is no better than `known` (null: nothing is).
 ChoiceResult exchange(const DesignProblem& shared, const DesignPoint& start, const LocalSolver& solve,
-                      const LocalBudget& local, const StopFlag& stop) {
+                      const LocalBudget& local, const StopFlag& stop, const ChoiceResult* known = nullptr) {
   DesignProblem problem = shared;
   problem.set_room(start.pole);
   DesignVector x = problem.vector_of(start);
   std::vector<Row> rows = problem.rows_at(x);
   std::uint64_t evaluations = 0;
   for (int i = 0; i < local.exchanges && !stop(); ++i) {
-    const LocalResult solved = solve(problem.program(rows), x);
+    const SmoothProgram program = problem.program(rows);
+    const LocalResult solved = solve(program, x);
     evaluations += static_cast<std::uint64_t>(solved.evaluations);
     if (!solved.usable) break;
     x = solved.x;
+    if (known != nullptr && known->feasible && is_no_better(problem, program, x, *known)) {
+      ChoiceResult at_start = judged(problem, start, local);
+      at_start.evaluations += evaluations;
+      return at_start;
+    }
     if (!problem.add_violated(rows, x, slack::violated_row)) break;
   }
   const DesignVector polished = stop() ? x : newton_polish(problem.program(rows), x);
@@ -137,11 +155,11 @@ ChoiceResult exchange(const DesignProblem& shared, const DesignPoint& start, con
 }  // namespace
 
 ChoiceResult refine(const DesignProblem& problem, const DesignPoint& start, const LocalBudget& local,
-                    const StopFlag& stop) {
+                    const StopFlag& stop, const ChoiceResult* known) {
   const LocalSolver sqp = [&](const SmoothProgram& program, const DesignVector& x) {
     return minimize_by_sqp(program, x, local.evaluations, stop);
   };
-  return exchange(problem, start, sqp, local, stop);
+  return exchange(problem, start, sqp, local, stop, known);
 }
 
 ChoiceResult refine_further(const DesignProblem& problem, const ChoiceResult& found, const LocalBudget& local,

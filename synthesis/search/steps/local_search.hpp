@@ -37,9 +37,10 @@ double merit_at(const DesignProblem& problem, const DesignPoint& point, const Lo
 /// A point's figures, seen at `local.final_openings` openings.
 ChoiceResult judged(const DesignProblem& problem, const DesignPoint& point, const LocalBudget& local);
 
-/// A local solution from a start, the last digits included, judged anew.
+/// A local solution from a start, the last digits included, judged anew. With `known`, of this or another choice, it is given up where a
+/// solution that keeps only some of the limits is no better than that: what comes back then keeps them only if the start does.
 ChoiceResult refine(const DesignProblem& problem, const DesignPoint& start, const LocalBudget& local,
-                    const StopFlag& stop);
+                    const StopFlag& stop, const ChoiceResult* known = nullptr);
 
 /// The same from a solution already found, by the second solver; the better of both.
 ChoiceResult refine_further(const DesignProblem& problem, const ChoiceResult& found, const LocalBudget& local,

@@ -77,7 +77,7 @@ class TreeSearch {
     const DesignProblem& problem = *prospect.subproblem.problem;
     const std::size_t known = problem.places().size();
     const DesignPoint point{{std::log(start.VA), std::log(start.VB)}, start.pole};
-    const ChoiceResult found = refine(problem, point, task_.budgets().local, task_.stop());
+    const ChoiceResult found = refine(problem, point, task_.budgets().local, task_.stop(), &best_.result);
     trial.in_vain =
         trial.in_vain && !found.feasible;  // what is feasible is certified, which may add to the problem
     strategy_.certify(task_, prospect, found, best_);
