@@ -37,8 +37,9 @@ class LoadFloor {
   double at_least_reaching(double distance, Reaching reaching, double transmission,
                            const LengthBox& lengths) const;
 
-  /// Whether a design keeps the limit over these openings, as far as doubles tell.
+  /// Whether a design keeps the limit over these openings, as far as doubles tell; and whether it does at both ends, which is told sooner.
   bool keeps(const BarLengths& lengths, const OpeningInterval& openings) const;
+  bool keeps_at_ends(const BarLengths& lengths, const OpeningInterval& openings) const;
 
  private:
   class Compliance;

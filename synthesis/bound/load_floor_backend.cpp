@@ -216,9 +216,12 @@ bool LoadFloor::exceeded_by_all(const PoleDistances& distances, double transmiss
 }
 
 bool LoadFloor::keeps(const BarLengths& lengths, const OpeningInterval& openings) const {
-  for (const double opening : {openings.lower, openings.upper})
-    if (!(profile_.at(lengths, opening).worst <= limit_)) return false;
-  return profile_.worst_over(lengths, openings) <= limit_;
+  return keeps_at_ends(lengths, openings) && profile_.worst_over(lengths, openings) <= limit_;
+}
+
+bool LoadFloor::keeps_at_ends(const BarLengths& lengths, const OpeningInterval& openings) const {
+  return profile_.at(lengths, openings.lower).worst <= limit_ &&
+         profile_.at(lengths, openings.upper).worst <= limit_;
 }
 
 }  // namespace kempe::bounding

@@ -25,6 +25,11 @@ constexpr double moves_of_others = 3;
 /// Share of what joints move at most: an overlap that is less deep is none that all designs have, to first order either.
 constexpr double share_of_moves = 0.2;
 
+/// Share of what joints move at most: where no overlap is deeper, none is likely to be one that all designs have before the box has been split
+/// so many times more.
+constexpr double hopeless_share = 0.05;
+constexpr int splits_at_rest = 3;
+
 JointSpread between(const JointSpread& from, const JointSpread& to, double share) {
   JointSpread point{
       (1 - share) * from.middle + share * to.middle, {}, (1 - share) * from.rest + share * to.rest};
@@ -272,7 +277,8 @@ struct ObstacleTest::Look {
   SideLengths sides{};
   double nearest = infinity;  ///< mm, of a gap with what the joints move added
   std::optional<Hit> hit{};
-  double moved = 0;  ///< mm, the most that joints were found to move; infinite where that could not be said
+  double deepest = 0;  ///< overlap that was found, as a share of what its joints move
+  double moved = 0;    ///< mm, the most that joints were found to move; infinite where that could not be said
   PlacesWithTerms seen{};  ///< what was looked at
   std::vector<double>
       gaps{};  ///< mm beyond the clearance, of each term that was; where there is more, a lower bound
@@ -339,6 +345,7 @@ struct ObstacleTest::Look {
         if (!is_reached) continue;
         here = moved_of(term.what, *seen_moves);
       }
+      deepest = std::max(deepest, (clearance - gap) / here);
       const double rounding = test.gap_rounding(term.what, joints);
       if (gap + here + rounding < clearance ||
           (!term.is_of_the_copy && gap + share_of_moves * here < clearance &&
@@ -379,6 +386,10 @@ LayerSet ObstacleTest::not_hit(const DesignBox& box, LayerSet alive, Sight& sigh
     look.at(sight.hit->place, std::span(all_terms_).subspan(sight.hit->term, 1));
     if (look.hit) sight.hit = look.hit;
   }
+  if (!only_hit && sight.rests > 0 && alive.has(sight.layers)) {
+    --sight.rests;
+    return alive;
+  }
   while (!only_hit && !alive.empty() && !stop_()) {
     const std::size_t one = alive.first();
     if (sight.layers != one) sight = {sight.hit, {}, 0, one};
@@ -407,6 +418,7 @@ bool ObstacleTest::look_all_over(const DesignBox& box, std::size_t one, Sight& s
   for (std::size_t place = sight.judged; place < places_.size(); ++place) look_at(place, all_terms_);
   if (look.hit) sight.hit = look.hit;
   if (!alive.empty()) judge(look, sight);
+  sight.rests = look.deepest < hopeless_share ? splits_at_rest : 0;
   return !alive.empty();
 }
 

@@ -48,6 +48,7 @@ struct Sight {
   std::shared_ptr<const PlacesWithTerms> near{};
   std::size_t judged = 0;
   std::size_t layers = 0;  ///< the assignment that both are of
+  int rests = 0;  ///< splits after which nothing but the hit is looked at, as nothing was nearly hit all over
 };
 
 /// What the tests of all groundings and assembly modes share: to divide outlines of many corners into convex parts takes long, and so does
@@ -93,6 +94,7 @@ class ObstacleTest {
 
   /// What not_hit() costs where it looks at all, in tests of a box for reach.
   std::size_t cost(const Sight& sight) const {
+    if (sight.rests > 0) return 1;
     const std::size_t near = sight.near ? sight.near->places.size() : 0;
     return 1 + (near + places_.size() - sight.judged) * convex_pairs_ / 300;
   }

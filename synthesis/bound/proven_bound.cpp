@@ -151,9 +151,9 @@ class Tree {
   }
 
   /// Whether designs of a box are tried: often at first, when the boxes are still many; but seldom where the search has a design already
-  /// and asks what the load limit costs, as most of them are too soft then.
+  /// and asks what the load limit costs: most of them are too soft then, and without the limit designs near boxes' middles tell more.
   bool are_tried(std::size_t opened) const {
-    const bool is_seldom = sees_loads() && trials_ == nullptr && options_.incumbent;
+    const bool is_seldom = trials_ == nullptr && options_.incumbent && (sees_loads() || value_near_);
     return opened % 8 == 0 || (opened <= 100 && !is_seldom);
   }
 
@@ -205,7 +205,7 @@ class Tree {
         shared_->branches.push_back(bounding::make_branch(spec_, grounding, mode, layers, options_.shortest));
         if (sees_loads()) {
           load_floors_.emplace_back(spec_, shared_->branches.back().mode);
-          load_trades_.emplace_back(spec_, shared_->branches.back().mode);
+          load_trades_.emplace_back();
         }
       }
     }
@@ -255,7 +255,7 @@ class Tree {
   }
 
   /// The bound of a box without a design that keeps the limit on the load error and is better than what the tree asks for.
-  void raise_by_loads(TreeNode& node) const {
+  void raise_by_loads(TreeNode& node) {
     const double enough = designs_.enough(tolerance_);
     if (!(enough < infinity) || node.bound >= enough) return;
     const bounding::DesignRange designs{node.lengths, node.x, node.y};
@@ -268,9 +268,10 @@ class Tree {
     return {std::max(spec_.limits.transmission, -enough), std::nullopt};
   }
 
-  bounding::BoxTrade trade_of(const TreeNode& node, const bounding::DesignRange& designs,
-                              double enough) const {
-    return {load_trades_[node.branch], shared_->poles.ends_from(node.pole()), designs, better_than(enough)};
+  bounding::BoxTrade trade_of(const TreeNode& node, const bounding::DesignRange& designs, double enough) {
+    std::optional<bounding::LoadTrade>& trade = load_trades_[node.branch];
+    if (!trade) trade.emplace(spec_, mode_of(node));
+    return {*trade, shared_->poles.ends_from(node.pole()), designs, better_than(enough)};
   }
 
   /// The same of a box that is about to be split: of its designs that keep clear of what the one in the middle touches in each layer
@@ -439,9 +440,9 @@ class Tree {
   Objective objective_;
   bool by_size_;
   std::shared_ptr<Shared> shared_;
-  std::vector<bounding::LoadFloor> load_floors_;  // one a branch, if loads are to be seen
-  std::vector<bounding::LoadTrade> load_trades_;  // the same
-  std::vector<TreeNode> left_to_loads_;           // of a search: boxes that only the load limit rules out
+  std::vector<bounding::LoadFloor> load_floors_;                 // one a branch, if loads are to be seen
+  std::vector<std::optional<bounding::LoadTrade>> load_trades_;  // the same, once one is asked
+  std::vector<TreeNode> left_to_loads_;  // of a search: boxes that only the load limit rules out
   bounding::RelaxedDesigns designs_;
   std::priority_queue<TreeNode, std::vector<TreeNode>, bounding::LessPromising> open_;
   std::array<std::optional<double>, 3> by_grounding_;

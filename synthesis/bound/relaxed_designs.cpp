@@ -91,7 +91,8 @@ void RelaxedDesigns::look_at(const Box& box, const Candidate& candidate) {
   const CopyingLinkage& linkage = candidate.linkage;
   const OpeningInterval& openings = candidate.openings;
   if (candidate.value >= (trials_ ? enough(trials_->tolerance) : best_)) return;
-  const bool is_soft = box.loads != nullptr && !box.loads->keeps({linkage.VA(), linkage.VB()}, openings);
+  const BarLengths lengths{linkage.VA(), linkage.VB()};
+  bool is_soft = box.loads != nullptr && !box.loads->keeps_at_ends(lengths, openings);
   // A trial may make of a design that is too soft one that is not. While none is known each branch has one such trial.
   const bool may_be_soft =
       trials_ != nullptr && !(best_ < infinity) && !soft_tried_out_.contains(node.branch);
@@ -124,6 +125,8 @@ void RelaxedDesigns::look_at(const Box& box, const Candidate& candidate) {
   };
   const auto layers = std::find_if(branch.layers.begin(), branch.layers.end(), free);
   if (layers == branch.layers.end()) return;
+  is_soft = is_soft || (box.loads != nullptr && !box.loads->keeps(lengths, openings));
+  if (is_soft && !may_be_soft) return;
   const RelaxedDesign design{linkage.grounding(), linkage.assembly_mode().number,
                              linkage.VA(),        linkage.VB(),
                              node.pole(),         layers->layers};

@@ -145,7 +145,10 @@ TEST(LoadFloor, LeavesOutNoBoxWithADesignThatKeepsTheLimit) {
                                                        linkage->transmission_angle(openings.upper));
     const bool is_left_out = bounding::LoadFloor(one.spec, mode).exceeded_by_all(distances, angle, box);
     EXPECT_FALSE(keeps && is_left_out) << i;
-    EXPECT_EQ(bounding::LoadFloor(one.spec, mode).keeps({linkage->VA(), linkage->VB()}, openings), keeps);
+    const bounding::LoadFloor floor(one.spec, mode);
+    const BarLengths lengths{linkage->VA(), linkage->VB()};
+    EXPECT_EQ(floor.keeps(lengths, openings), keeps);
+    EXPECT_TRUE(!keeps || floor.keeps_at_ends(lengths, openings)) << i;
     left_out += is_left_out;
     without_an_opening += is_left_out && bounding::passed_by_all(mode, distances, box).empty();
     without_a_distance += is_left_out && distances.nearest_at_most > distances.farthest_at_least;
