@@ -77,11 +77,11 @@ class SearchSpace {
   std::vector<HalfPlane> room_around(const Point& pole) const;
 
  private:
-  /// Where a corner lies against the region itself, with the map's derivative by the pole (as 1 minus it) and how many times as large its gap is.
+  /// Where a corner lies against the region itself.
   struct AgainstRegion {
     Point place;
-    Complex factor;
-    double scale;
+    Complex factor;  ///< 1 less the derivative of the place by the pole
+    double scale;    ///< times which the distance from the region is the gap
   };
   AgainstRegion against_region(const GapCorner& corner, const Point& pole) const;
   void sample_poles();

@@ -93,8 +93,8 @@ SearchResult best_by(const Strategy& strategy, const SearchTask& task,
           .evaluations = best.evaluations};
 }
 
-/// The best with any lengths. Among obstacles, where there are stock lengths to come, by the tree if it closes. `relaxed` as in best_by; not
-/// by the tree.
+/// The best with any lengths. Among obstacles, where there are stock lengths to come, by the tree if it closes. `relaxed` as in best_by; empty
+/// where the tree closes, or time ran out.
 SearchResult best_of_any_lengths(const SearchTask& task, const std::vector<RelaxedDesign>& known,
                                  bool asks_for_proof, std::vector<Prospect>& relaxed) {
   if (!has_stock_lengths(task.spec()))
@@ -111,6 +111,7 @@ SearchResult best_of_any_lengths(const SearchTask& task, const std::vector<Relax
   SearchResult by_tree = by_tree_first ? best_by_tree(any) : SearchResult{};
   if (by_tree.exhausted || by_tree.proven_none) return by_tree;
   SearchResult found = best_by(strategy_for(task.goal), in_part, known, asks_for_proof, relaxed);
+  if (in_part.stopped()) relaxed.clear();  // some were not relaxed to the end
   keep_better(task.goal, by_tree.design, found.design);
   found.evaluations += by_tree.evaluations;
   return found;

@@ -66,7 +66,8 @@ TEST(LocalSearch, WhatIsGivenUpBesideAKnownDesignIsRarelyBetterThanThat) {
         } else {
           given_up += with.evaluations < end.evaluations;
           if (!with.feasible || with.cost >= enough) continue;
-          EXPECT_EQ(with.cost, judged(problem, all.starts[j], LocalBudget{}).cost) << "the start itself " << i;
+          EXPECT_EQ(with.cost, judged(problem, all.starts[j], LocalBudget{}).cost)
+              << "the start itself " << i;
         }
       }
     }
