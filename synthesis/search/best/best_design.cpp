@@ -134,8 +134,10 @@ SearchResult best_by_choices(const SearchTask& task, const FirstLook& look, bool
   SearchResult found = best_of_any_lengths(task, starts_of(proof), asks_for_proof, relaxed);
   if (found.proven_none) return {.proven_none = true, .evaluations = found.evaluations};
   const bool stopped = found.stopped;
-  if (found.design && has_stock_lengths(task.spec()))
+  if (found.design && has_stock_lengths(task.spec())) {
     found = best_with_stock_lengths(task, found, std::move(relaxed));
+    found.none_in_stock = !found.design;
+  }
   found.stopped = found.stopped || stopped;
   if (found.stopped) keep_better(task.goal, look.design, found.design);
   found.bound = bound_of(task.goal, look, proof);

@@ -66,12 +66,19 @@ SearchResult nearer_to(const ProvenBound& bound, const SearchTask& task, SearchR
   });
 }
 
+/// With stock lengths and a fixed pole each pair of lengths is one design, and the pairs are those about the best with any lengths: other
+/// random numbers lead to no others.
+bool leads_to_the_same(const SearchTask& task, const SearchResult& found) {
+  return found.none_in_stock && !task.space().pole_is_free(task.limits) && task.goal != Goal::pole_margin;
+}
+
 }  // namespace
 
 SearchResult searched_again(const SearchTask& task, SearchResult found,
                             const std::function<bool(const SearchResult&)>& is_enough) {
   const std::uint64_t seed = task.control.options().seed;
   const ImproveBudget& budget = task.budgets().improve;
+  if (leads_to_the_same(task, found)) return found;
   const auto may_go_on = [&] { return !task.stopped() && found.evaluations < budget.evaluations; };
   for (int i = 1; i <= budget.searches && may_go_on() && !is_enough(found); ++i) {
     const SearchResult again =

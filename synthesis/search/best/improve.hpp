@@ -8,7 +8,7 @@
 
 namespace kempe {
 
-/// The best of a search and of others from further random numbers, told as the first one's.
+/// The best of a search and of others from further random numbers, told as the first one's; where these cannot matter, of the one search.
 SearchResult searched_again(const SearchTask& task, SearchResult found,
                             const std::function<bool(const SearchResult&)>& is_enough);
 

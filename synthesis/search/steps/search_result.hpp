@@ -10,9 +10,10 @@ namespace kempe {
 
 struct SearchResult {
   std::optional<FoundDesign> design{};
-  bool stopped = false;      ///< by time or by request
-  bool proven_none = false;  ///< interval arithmetic proves that no design keeps the limits
-  bool exhausted = false;    ///< the tree leaves nothing better that the search could find
+  bool stopped = false;        ///< by time or by request
+  bool proven_none = false;    ///< interval arithmetic proves that no design keeps the limits
+  bool exhausted = false;      ///< the tree leaves nothing better that the search could find
+  bool none_in_stock = false;  ///< there is a design with any lengths, and none was found with stock lengths
   /// That no design with the exact ratio beats, of the goal; where one was proven.
   std::optional<double> bound{};
   std::uint64_t evaluations = 0;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "synthesis/design/assemble.hpp"
+#include "synthesis/search/best/best_design.hpp"
 #include "synthesis/search/steps/design_check.hpp"
 #include "synthesis/search/steps/relax.hpp"
 #include "synthesis/search/strategies/ratio_lengths.hpp"
@@ -199,6 +200,22 @@ TEST(StockLengthSearch, ChoicesThatAreRelaxedAlreadyLeadToTheSameDesign) {
     EXPECT_EQ(afresh.design->layers, known.design->layers) << i;
   }
   EXPECT_GT(compared, test::expected(8));
+}
+
+TEST(StockLengthSearch, WhereThePoleStandsFastNoneIsSaidAfterOneSearch) {
+  for (const bool is_fixed : {true, false}) {
+    Spec spec = quarter_turn();
+    if (!is_fixed) spec.pole.place = Region{{{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}, {}}}};
+    spec.links.stock_lengths.stock = {60, 61.7};  // too short
+    const SearchTask task = pose(spec, SearchControl({}));
+    const SearchResult once = best_design(task);
+    EXPECT_FALSE(once.design);
+    EXPECT_TRUE(once.none_in_stock);
+    const SearchOutcome outcome = synthesize(spec, {.diagnose = false});
+    const auto* none = std::get_if<NoDesign>(&outcome);
+    ASSERT_TRUE(none);
+    EXPECT_EQ(none->evaluations == once.evaluations, is_fixed);
+  }
 }
 
 TEST(StockLengthSearch, ALockedLengthIsKeptAndTheRestSolved) {
