@@ -396,13 +396,29 @@ live("Mechanism and Play stand above the fold of a laptop", async () => {
     });
 });
 
+test("Of nine key figures none stands in a row of its own", async () => {
+  for (const width of [820, 1100, 1400])
+    await on("plagiograph", { viewport: { width, height: 900 } }, async (page) => {
+      const rows = await page.evaluate(() => {
+        const keys = document.querySelector(".keys"), count = new Map();
+        while (keys.children.length < 9) keys.append(keys.lastElementChild.cloneNode(true));
+        for (const key of keys.children) {
+          const { top } = key.getBoundingClientRect();
+          count.set(top, 1 + (count.get(top) ?? 0));
+        }
+        return [...count.values()];
+      });
+      assert.ok(Math.min(...rows) > 1, `${width} px: rows of ${rows}`);
+    });
+});
+
 test("No key figure is cut off, be there as many as a loaded design has", async () => {
   for (const [width, media] of [[1400, "screen"], [390, "screen"], [794, "print"]])
     await on("plagiograph", { viewport: { width, height: 900 } }, async (page) => {
       await page.emulateMedia({ media });
       const cut = await page.evaluate(() => {
         const keys = document.querySelector(".keys"), widest = keys.children[0];
-        while (keys.children.length < 8) keys.append(keys.lastElementChild.cloneNode(true));
+        while (keys.children.length < 9) keys.append(keys.lastElementChild.cloneNode(true));
         for (const key of [widest, keys.children[1]]) key.querySelector("dd").firstChild.textContent = "1283 × 445\u00a0mm";
         const frame = keys.getBoundingClientRect();
         return [...keys.children].filter((key) => {
