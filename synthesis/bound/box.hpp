@@ -29,9 +29,9 @@ struct ModeFacts {
   double bend = 1;   ///< sign of psi
   /// |psi| at the dead or change points, rounded outwards: 0 <= far_end < near_end <= pi.
   double far_end = 0, near_end = 0;
-  Range allowed{0, 0};  ///< |psi| that the copy error's limit leaves (all: [0, pi])
-  double size_per_a = 0, size_per_b = 0;
-  Range a, b;  ///< mm, from the limits of the eight lengths
+  Range allowed{0, 0};                    ///< |psi| that the copy error's limit leaves (all: [0, pi])
+  double size_per_a = 0, size_per_b = 0;  ///< mm of size for each mm of a and of b
+  Range a, b;                             ///< mm, from the limits of the eight lengths
 
   /// Every opening with a transmission angle of at least `transmission` lies within these |psi|; empty if there is none.
   Range usable(double transmission) const;
@@ -64,13 +64,13 @@ bool contract(const ModeFacts& mode, const PoleDistances& distances, double tran
 double size_at_least(const ModeFacts& mode, const PoleDistances& distances, double transmission,
                      const LengthBox& lengths);
 
-/// Lengths of designs that are not surely larger than `size` (mm); false if there are none.
+/// Shrinks the lengths to those of designs that are not surely larger than `size` (mm); false if there are none.
 bool contract_by_size(const ModeFacts& mode, double size, LengthBox& lengths);
 
 /// No design of the box has a larger transmission angle over the distances, rad; negative if none has any.
 double transmission_at_most(const ModeFacts& mode, const PoleDistances& distances, const LengthBox& lengths);
 
-/// The |psi| that every design of the box passes on its way over the distances; empty if there are none in
+/// The |psi| (rad) that every design of the box passes on its way over the distances; empty if there are none in
 /// common.
 Range passed_by_all(const ModeFacts& mode, const PoleDistances& distances, const LengthBox& lengths);
 

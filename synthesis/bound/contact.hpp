@@ -43,7 +43,7 @@ MaterialPoint material_point(Joint joint, Complex s);
 /// opening, and how far apart they must stay, mm.
 struct NearestPoints {
   MaterialPoint first, second;
-  double needed = 0;
+  double needed = 0;  ///< both half widths; the clearance is not in it and comes on top
 };
 NearestPoints nearest_points(const ContactPair& pair, Complex shape, const LinkStyle& style, double a,
                              double b, double psi);

@@ -64,8 +64,9 @@ class JointMoving {
                                     const std::array<Complex, 6>& joints,
                                     std::optional<Joint> seen_from = std::nullopt) const;
 
-  /// Of one design with this VA (mm), while its tracer goes no farther than `radius` (mm) from its place in `joints`, wherever it gets to: no
-  /// joint moves farther, as seen from another; infinite near a dead point and where the design does not reach its place. In doubles.
+  /// Of one design with this VA (mm), while its tracer goes no farther than `radius` (mm) from its place in `joints`: for each joint the
+  /// largest move, mm, as seen from the joint `seen_from`, or an upper bound of it; infinite near a dead point and where the design does
+  /// not reach its place. In doubles.
   JointMoves beside(double VA, const std::array<Complex, 6>& joints, double radius, Joint seen_from) const;
 
   /// Where they stand to first order, of those designs that reach the place within `usable` (|psi|). Nothing if the box is too large for

@@ -33,7 +33,7 @@ class LoadFloor {
   /// What is known of a distance of the tracer from the pole: each design reaches just that one, or one that is no shorter.
   enum class Reaching { exactly, at_least };
   /// No design of the box gives way by less where it reaches the distance (mm) with a transmission angle of at least `transmission` (rad), mm;
-  /// infinity if none does. What is not above the limit may be less than it could be.
+  /// infinity if none does. A result that is not above the limit may be looser than necessary.
   double at_least_reaching(double distance, Reaching reaching, double transmission,
                            const LengthBox& lengths) const;
 

@@ -33,7 +33,7 @@ struct Wave {
 Wave operator*(const Interval& factor, const Wave& wave);
 Wave operator+(const Wave& one, const Wave& other);
 
-/// One of the squares is that of a wave times half the power `power` of VA, or of VB.
+/// One of the squares is that of `wave`, at the lengths that were asked for. It grows with VA^power, or with VB^power.
 struct LoadWave {
   Wave wave;
   bool is_of_VA;

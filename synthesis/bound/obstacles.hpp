@@ -48,7 +48,7 @@ struct Sight {
   std::shared_ptr<const PlacesWithTerms> near{};
   std::size_t judged = 0;
   std::size_t layers = 0;  ///< the assignment that both are of
-  int rests = 0;  ///< splits after which nothing but the hit is looked at, as nothing was nearly hit all over
+  int rests = 0;  ///< for so many more splits only the hit is looked at, as nothing was nearly hit all over
 };
 
 /// What the tests of all groundings and assembly modes share: to divide outlines of many corners into convex parts takes long, and so does

@@ -62,10 +62,10 @@ struct BoundOptions {
   /// The search ends when bound >= (1 - tolerance) * best value known (for transmission: bound <= (1 +
   /// tolerance) * it).
   double tolerance = 0.001;
-  /// It also ends once what is left open is better than the best value met by no more than this share of what that is better than the incumbent.
+  /// It also ends once gap(bound, best value met) <= this share * gap(best value met, incumbent).
   double share_of_gap = 0;
-  /// Boxes that may be looked at (a box's test for contact in a layer assignment counts as one more): what
-  /// limits the time, so that the result does not depend on the machine.
+  /// Boxes that may be looked at (a box's test for contact in a layer assignment counts as one more, one for obstacles by what it
+  /// costs): what limits the time, so that the result does not depend on the machine.
   std::size_t boxes = 200000;
   /// Keep contact of the linkage with itself. Without it the bound is looser, but found in a few hundred
   /// boxes.
@@ -108,22 +108,22 @@ struct ProvenBound {
   /// The bound if the vertex were one of these alone (indexed by Grounding); absent where none is possible or
   /// permitted. Groundings worse than the best are looked at no longer than needed, so theirs are loose.
   std::array<std::optional<double>, 3> by_grounding;
-  std::size_t boxes = 0;
+  std::size_t boxes = 0;  ///< looked at, counted as in BoundOptions::boxes
 };
 
 /// Where a search may start: the design and the promising places of a bound.
 std::vector<RelaxedDesign> starts_of(const ProvenBound& bound);
 
-/// The bound for the spec's objective; nothing for objectives other than size and transmission, or if it was stopped
-/// before every grounding had been looked at. Deterministic unless stopped. Guarantee: value <= size of every design that keeps the spec's limits with the exact ratio
-/// k (transmission: >=).
+/// The bound for the spec's objective; nothing for objectives other than size and transmission, for a spec without a region, or if it was
+/// stopped before every grounding had been looked at. Deterministic unless stopped. Guarantee: value <= size of every design that keeps
+/// the spec's limits with the exact ratio k (transmission: >=).
 std::optional<ProvenBound> proven_bound(const Spec& spec, const BoundOptions& options = {});
 
 /// The same for an objective of the caller's choice.
 std::optional<ProvenBound> proven_bound(const Spec& spec, Objective objective,
                                         const BoundOptions& options = {});
 
-/// The same as a search, in the spec's own frame.
+/// The same as a search, in the spec's own frame; nothing where proven_bound() gives nothing.
 std::optional<ProvenBound> searched_by_tree(const Spec& spec, Objective objective,
                                             const BoundOptions& options, const Trials& trials);
 

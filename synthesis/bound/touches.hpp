@@ -8,8 +8,8 @@
 
 namespace kempe::bounding {
 
-/// Two points of parts that share a layer, which have to keep `needed` (mm) apart: at the place of the tracer that is nearest to the pole, at the
-/// one that is farthest from it, or at an opening that every design of the box passes.
+/// Two points of parts that share a layer, which have to keep `needed` (mm, clearance included) apart: at the place of the tracer that is
+/// nearest to the pole, at the one that is farthest from it, or at an opening that every design of the box passes.
 struct ContactTouch {
   enum class At { near, far, psi } at = At::psi;
   double psi = 0;  ///< of the last, |psi| in rad
@@ -18,7 +18,7 @@ struct ContactTouch {
 };
 
 /// A corner of a part, or of an obstruction, and the corner or edge of the other that is nearest to it with the tracer at a place. They have to keep
-/// `needed` (mm) apart.
+/// `needed` (mm, clearance included) apart.
 struct ObstacleTouch {
   Point place;
   std::optional<Joint> seen_from{};  ///< that carries the obstruction's frame; absent: the table's

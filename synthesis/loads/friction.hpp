@@ -42,10 +42,11 @@ inline double friction_loss(const CopyingLinkage& linkage, const Pose& pose, con
 }
 
 /// The largest share of a drag's work at the pen that friction takes in addition, over all directions of motion (sampled every 2 degrees),
-/// where the drag opposes the pen's motion.
+/// where the drag opposes the pen's motion; infinite at a dead point. At an opening that is no change point.
 double friction_share(const CopyingLinkage& linkage, double opening, const PinFriction& friction);
 
-/// The openings about `within` in its assembly mode where friction_share() stays below 1, to a thousandth of a degree.
+/// The openings about `within` in its assembly mode where friction_share() stays below 1, to a thousandth of a degree. An end of `within`
+/// where it is 1 or more comes back unchanged.
 OpeningInterval openings_without_lock(const CopyingLinkage& linkage, const OpeningInterval& within,
                                       const PinFriction& friction);
 

@@ -134,6 +134,8 @@ struct StandingGrillage {
   GrillageState state;
   std::vector<int> props;  ///< that bear; from the others the joint is lifted off
 };
+/// `props`: joints that stand on something, from which they may be lifted off. The props that bear are those that all push, with no other
+/// joint below its prop; where rounding leaves no such set, the least wrong one. Figures may be NaN, as those of Grillage.
 StandingGrillage standing(const GrillagePlan& plan, const std::vector<int>& props);
 
 }  // namespace kempe

@@ -57,8 +57,11 @@ class LayeredErrorProfile {
   LayeredErrorAt by_weight(const BarLengths& lengths, double opening) const;
   /// The most of each over an interval of openings, each at its own one.
   LayeredErrorAt by_weight_over(const BarLengths& lengths, const OpeningInterval& openings) const;
+  /// MPa in each link by that weight alone, the most over all turns; 0 on a level table, infinite where there is nothing to state.
+  /// `hole` as above.
   LinkStresses stresses_by_weight(const BarLengths& lengths, double opening, double hole) const;
-  /// The same where gravity pulls in this direction, of size 1, in the frame of give(), on the points that the weights press down.
+  /// mm: how far the pen gives way in the plane by that weight where gravity pulls in this direction, of size 1, in the frame of give(),
+  /// on the points that the weights press down; 0 on a level table, NaN as above.
   Point give_by_weight(const BarLengths& lengths, double opening, const Point& direction) const;
 
  private:

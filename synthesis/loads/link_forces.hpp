@@ -1,7 +1,7 @@
 #pragma once
 // Forces in a copying linkage that is held at pole and tracer and pushed at its pen, in closed form.
 //
-// With V at 0, p = VA, q = VB e^{i d} |.| and the frame turned so that bar VA points along x:
+// With V at 0 and the frame turned so that bar VA points along x, p = VA and q = VB e^{i d}:
 //   F_X = -conj(s) F_Y,  F_V = (conj(s) - 1) F_Y      from Y' = s X' by virtual work, for every grounding
 //   hand -conj(k) F_pen,  pole (conj(k) - 1) F_pen    the same everywhere in the workspace
 //   VA and VB are two-force bars; each plate is pushed at its three joints. No length matters, only the opening d.

@@ -76,12 +76,14 @@ class LoadErrorProfile {
   /// How far the pen gives way under this force (N), mm; both in the frame whose x axis is bar VA's direction.
   Complex displacement(const BarLengths& lengths, double opening, Complex force) const;
 
-  /// Over an interval of openings; and the openings at which.
+  /// The largest of LoadErrorAt::worst and the smallest of LoadErrorAt::least over an interval of openings, mm, and the openings at
+  /// which, rad.
   struct Range {
     double worst, least, worst_opening, least_opening;
   };
+  /// The interval (rad) must not be empty.
   Range over(const BarLengths& lengths, const OpeningInterval& openings) const;
-  /// Of these the worst alone, in half the time.
+  /// Of these the worst alone, mm, in half the time.
   double worst_over(const BarLengths& lengths, const OpeningInterval& openings) const;
 
  private:

@@ -63,7 +63,7 @@ struct BalanceSpring {
   double rate;        ///< N/mm
 };
 /// Two such springs, with arm and height half the bar's length, that balance a table tilted by `tilt` (rad); rate * arm * height is what
-/// counts. Nothing unless the pole is at V: else no bar that turns with p turns about a fixed point.
+/// counts; on a level table the rate is 0. Nothing unless the pole is at V: else no bar that turns with p turns about a fixed point.
 std::optional<std::array<BalanceSpring, 2>> balance_springs(const CopyingLinkage& linkage,
                                                             const MassMoments& moments, double tilt);
 

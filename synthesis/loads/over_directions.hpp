@@ -14,7 +14,7 @@ namespace kempe {
 /// tracer and one for the pen; a few where it is the largest of figures that each have two tops.
 inline constexpr int parts_with_contacts = 16, parts_without = 4;
 
-/// The most of what value(direction, rad) is over all directions; NaN if it is NaN in one that is looked at.
+/// The most of what value(direction, rad) is over all directions, never below 0; NaN if it is NaN or infinite in one that is looked at.
 template <class Value>
 double most_over_directions(const Value& value, int parts = parts_with_contacts) {
   constexpr int steps = 40;

@@ -12,7 +12,8 @@ namespace kempe {
 
 /// The spec with this section alone.
 Spec with_section(Spec spec, const LinkSection& section);
-/// A sentence about the last of several sections, as one that says that no other has a design either.
+/// "with none of the 3 sections; with 12 x 4 mm: " and the sentence, which says why there is no design with the last of the spec's
+/// sections.
 std::string of_no_section(const Spec& spec, SpecUnit unit, const std::string& sentence);
 
 /// The best design with any of LinkSpec::sections (two or more): `search` is run for each, the lightest first, with an equal share of the

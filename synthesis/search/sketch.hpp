@@ -26,7 +26,7 @@ namespace kempe {
 struct SketchBudget {
   std::size_t boxes = 600;  ///< of the bound's tree
   double near = 0.01;       ///< share of the bound: a design so near to it is not compared with others
-  /// Of one choice a sketch, in turn, looked at as a search does, while the design is not near its bound.
+  /// Of the one choice that a sketch looks at as a search does, the choices in turn, while the design is not near its bound.
   ChoiceBudget look{.poles = 4, .lattice = 8, .evaluations = 60, .starts = 3, .starts_if_none = 5};
   /// With more choices than these, of those that differ in their layers alone a sketch solves so many that promise most, and
   /// another one so many in turn.
