@@ -2,7 +2,8 @@
 "use strict";
 (function (kempe) {
   const number = "[-+\\d.e]+";
-  const upper = new Set(["links.longest_mm", "limits.longest_strip_mm", "limits.copy_error_mm", "limits.load_error_mm", "limits.sag_mm"]);
+  const upper = new Set(["links.longest_mm", "limits.longest_strip_mm", "limits.copy_error_mm", "limits.load_error_mm", "limits.sag_mm",
+    "load.grip_mm"]);
 
   /** A figure of few digits on the safe side of a limit: what allows a design still allows one. */
   function safely(value, up) {
@@ -12,7 +13,7 @@
     return Number((steps * step).toFixed(-power));
   }
 
-  /** The figure that a limit gets: larger where it is an upper limit, smaller where it is a lower one. */
+  /** The figure that a key gets: larger where it is an upper limit or a grip, smaller where it is a lower one or a play. */
   function givenWay(key, value, doc) {
     const rounded = safely(value, upper.has(key));
     // No link is narrower than its pin.
@@ -95,6 +96,10 @@
       const section = sizes.map(Number), given = doc.get(key);
       return { words: `A strip of ${sizes.map((size) => figure(Number(size))).join(" × ")}\u00a0mm`, text: doc.with(key, [...(Array.isArray(given) ? given : []), section]) };
     }],
+    [/^load\.rests does not name the (tracer|pen)/, ([, point], { key, doc }) => {
+      const given = doc.get(key);
+      return { words: `The ${point} rests on the table`, text: doc.with(key, [...(Array.isArray(given) ? given : []), point]) };
+    }],
     [/; "([^"]+)" would do/, ([, name], { key, doc }) => (doc.has(key) ? { words: `${kempe.words.nameOf(key)}: ${name}`, text: doc.with(key, name) } : null)],
     [/; left out, a design exists/, (_, { key, doc }) =>
       (doc.has(key) ? { words: `Without the limit “${kempe.words.nameOf(key)}”`, text: doc.cleared(key) } : null)],
@@ -140,6 +145,7 @@
       .replace(new RegExp(`(; the pole )(${number})( mm outside it would do)`), wide)
       .replace(new RegExp(`(free to stand within )(${number})( mm of the region)`), wide)
       .replace(new RegExp(`; with (${number}) x (${number}) added`), (_, width, thickness) => `; with ${figure(Number(width))} × ${withUnit(Number(thickness), "_mm")} added`)
+      .replace(new RegExp(`(thickness, )(${number})(, which)`), (_, before, value, after) => `${before}${withUnit(Number(value), "_mm")}${after}`)
       .replace(new RegExp(`; (${number}) would (do|fit)`), (_, value, verb) => `; ${withUnit(givenWay(first, Number(value), doc), first)} would ${verb}`)
       .replace(keyed, (_, path, value) => quoted(path) + (value === undefined || value === "true" ? "" : ` (${value[0] === '"' ? value.slice(1, -1) : withUnit(Number(value), path)})`))
       .replace(/(relaxed: .*)$/, (_, list) => list.replace(/\b(obstacles|bodies|table)\b(?=,|$)/g, (name) => quoted(name)))

@@ -10,6 +10,7 @@ const { kempe } = vm.runInNewContext(`${sources.map((name) => readFileSync(`${ro
 const schema = JSON.parse(readFileSync(`${root}docs/spec.schema.json`, "utf8"));
 const spec = `title = "Mine"\n\n[copy]\nscale = 0.5\n\n[region]\nrectangle_mm = [0, 0, 120, 80]\n\n[pole]\nat_mm = [-50, 0]\n\n[limits]\nlongest_strip_mm = 150\ntransmission_deg = 60\n
 [links]\nhardware = "M8 bolt"\nwidth_mm = 12\nsections_mm = [[40, 10]]\n\n[material]\nname = "PLA"\n\n[tolerance]\nlength_mm = 0.1\nplay_mm = 0.05\nrobust = true\n
+[load]\npen_N = 10\n
 [[obstacles]]\nname = "vice"\ncircle_mm = [10, 200, 5]\n\n[[obstacles]]\nname = "vice 2"\ncircle_mm = [50, 200, 5]\n`;
 const doc = new kempe.Doc(spec), task = { region: [[[0, 0], [120, 0], [120, 80], [0, 80]]], pole: { within: [[[0, 0], [10, 0], [10, 10], [0, 10]]] } };
 const isKey = (path) => { const [table, name] = path.split("."); return Boolean(schema.properties[table] && schema.properties[table].properties[name]); };
@@ -28,6 +29,10 @@ test("A way out speaks in the panel's words, with a figure that is also the one 
     ["links.hardware", 'links.hardware = "M8 bolt" is in the way; "M5 bolt" would do', "Joints made of: M5 bolt", "links.hardware", "M5 bolt"],
     ["links.thickness_mm", "links.thickness_mm = 5 is in the way; 9.5 would do", "Thickness of the links: 9.5 mm", "links.thickness_mm", 9.5],
     ["links.sections_mm", "links.sections_mm has none that is stiff enough; with 48 x 10 added a design exists", "A strip of 48 × 10 mm", "links.sections_mm", [[40, 10], [48, 10]]],
+    ["load.rests", 'load.rests does not name the tracer; with "tracer" added a design exists', "The tracer rests on the table", "load.rests", ["tracer"]],
+    ["load.grip_mm", "load.grip_mm, left out, is the links' thickness, 5, which is in the way; 7.5 would do", "Pin held over: 7.5 mm", "load.grip_mm", 7.5],
+    ["load.grip_mm", "load.grip_mm = 3 is in the way; 7.9375 would do", "Pin held over: 7.94 mm", "load.grip_mm", 7.94],
+    ["tolerance.play_mm", "tolerance.play_mm = 0.02 is in the way; 0.013 would do", "Play of each pin: 0.013 mm", "tolerance.play_mm", 0.013],
     ["material.name", 'material.name = "PLA" is in the way; "birch plywood" would do', "Material: birch plywood", "material.name", "birch plywood"],
     ["pole.at_mm", "pole.at_mm is in the way; the pole at (10, -250) mm would do", "Pole at 10; −250 mm", "pole.at_mm", [10, -250]],
     ["pole.at_mm", "pole.at_mm is in the way; with the pole free to stand within 233.23 mm of the region a design exists", "Pole anywhere within 233.3 mm of the original", "pole.within_mm",
@@ -72,6 +77,8 @@ test("A reason names the limit as the panel does, with its unit", () => {
     ["links.sections_mm has none that is stiff enough; with 48 x 10 added a design exists", "“Strips at hand” has none that is stiff enough; with 48 × 10 mm added a design exists"],
     ["with none of the 5 sections; with 40 x 10 mm: links.sections_mm has none that is stiff enough; with 48 x 10 added a design exists", "With none of the 5 sections; with 40 x 10 mm: “Strips at hand” has none that is stiff enough; with 48 × 10 mm added a design exists"],
     ["material.name = \"PLA\" is in the way; \"birch plywood\" would do", "“Material” (PLA) is in the way; \"birch plywood\" would do"],
+    ["load.rests does not name the pen; with \"pen\" added a design exists", "“Rests on the table” does not name the pen; with \"pen\" added a design exists"],
+    ["load.grip_mm, left out, is the links' thickness, 5, which is in the way; 7.5 would do", "“Pin held over”, left out, is the links' thickness, 5 mm, which is in the way; 7.5 mm would do"],
     ["robust = true is in the way; without it a design exists", "“Holds for all of these” is in the way; without it a design exists"],
     ["links.pin_diameter_mm = 12 is in the way: two holes of 12 mm with a wall of 1.2 mm between them stand 13.2 mm apart, and links.grid_mm leaves them 10 mm; 9.0912 would fit",
       "“Diameter of the pins” (12 mm) is in the way: two holes of 12 mm with a wall of 1.2 mm between them stand 13.2 mm apart, and “Lengths in steps of” leaves them 10 mm; 9.09 mm would fit"],

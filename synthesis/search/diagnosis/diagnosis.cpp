@@ -25,6 +25,7 @@ double give(const Relaxation& r) {
 Questions asked(const SearchTask& task, const Point& origin, bool thorough) {
   Questions questions(task, origin, thorough);
   relax_limits(questions);
+  relax_support(questions);
   relax_stiffness(questions);
   relax_joints(questions);
   relax_obstacles(questions);

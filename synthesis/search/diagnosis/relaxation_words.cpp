@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "geometry/slack.hpp"
+
 namespace kempe {
 
 double rounded_down(double length, SpecUnit unit) {
@@ -16,6 +18,20 @@ double rounded_up(double length, SpecUnit unit) {
   const double value = length / in_mm(unit);
   const double step = std::pow(10, std::floor(std::log10(value)) - 5);
   return std::ceil(value / step) * step * in_mm(unit);
+}
+
+double next_size(double length, SpecUnit unit) {
+  const bool in_inches = unit == SpecUnit::inch;
+  const double large = in_inches ? in_mm(unit) / 16 : 1, tiny = in_inches ? large / 8 : large / 10;
+  const double step = length >= 10 * large ? large : length >= large ? large / 2 : tiny;
+  return step * std::ceil(length / step * (1 - slack::rounding));
+}
+
+double next_smaller(double length, SpecUnit unit) {
+  const double value = length / in_mm(unit) * (1 + slack::rounding);
+  const double power = std::pow(10, std::floor(std::log10(value)));
+  const double step = value < 2 * power ? power / 10 : power / 2;
+  return std::floor(value / step) * step * in_mm(unit);
 }
 
 std::string six_digits(double length, SpecUnit unit) { return fmt::format("{:.6g}", length / in_mm(unit)); }

@@ -14,6 +14,11 @@ namespace kempe {
 double rounded_down(double length, SpecUnit unit);
 /// To the six digits that sentences print, not less than it is.
 double rounded_up(double length, SpecUnit unit);
+/// The next size that a maker would ask for, not less than a length (mm): whole millimetres, half ones below ten, tenths below one;
+/// sixteenths of an inch, 32nds below ten of them, 128ths below one.
+double next_size(double length, SpecUnit unit);
+/// The next play that a maker would ask for, not more than a length above 0 (mm): of two digits, the second one 0 or 5 from 2 on.
+double next_smaller(double length, SpecUnit unit);
 /// A length (mm) to six digits: "12.5"; "0.492126" in inches.
 std::string six_digits(double length, SpecUnit unit);
 /// A place (mm) as a spec states it: "(12.5, -3) mm".

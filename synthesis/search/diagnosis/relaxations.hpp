@@ -73,6 +73,8 @@ void relax_limits(Questions& questions);
 void relax_copy_gap(Questions& questions);
 /// Where a limit on load error or sag was found to be in the way: wider or thicker links, a stiffer material.
 void relax_stiffness(Questions& questions);
+/// Where a limit on the sag was: tracer or pen resting on the table, pins held over a longer grip, less play.
+void relax_support(Questions& questions);
 /// The joints of a link nearer to each other: by shortest_mm, or by wall or pin.
 void relax_joints(Questions& questions);
 /// Obstacles away, one by one or all.

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/slack.hpp"
 #include "specs/materials.hpp"
+#include "synthesis/search/diagnosis/least_change.hpp"
 #include "synthesis/search/diagnosis/relaxation_words.hpp"
 #include "synthesis/search/diagnosis/relaxations.hpp"
 
@@ -41,47 +41,6 @@ struct Dimension {
 constexpr std::array<Dimension, 2> dimensions{
     {{"links.width_mm", &LinkStyle::width, 3, 1}, {"links.thickness_mm", &LinkStyle::thickness, 1, 2}}};
 
-/// The next size that a maker would ask for, not less than a length: whole millimetres, half ones below ten, tenths below one; sixteenths
-/// of an inch, 32nds below ten of them, 128ths below one.
-double next_size(double length, SpecUnit unit) {
-  const bool in_inches = unit == SpecUnit::inch;
-  const double large = in_inches ? in_mm(unit) / 16 : 1, tiny = in_inches ? large / 8 : large / 10;
-  const double step = length >= 10 * large ? large : length >= large ? large / 2 : tiny;
-  return step * std::ceil(length / step * (1 - slack::rounding));
-}
-
-struct Sized {
-  double size;  ///< mm
-  FoundDesign design;
-  bool is_least;  ///< as in Relaxation
-};
-
-/// The first of the budget's multiples of an estimate with which there is a design, then less by halving.
-template <typename With>
-std::optional<Sized> least_size(Questions& questions, double given, double estimate, const With& with) {
-  double too_little = given;
-  std::optional<Sized> enough;
-  for (const double share : questions.budget().stiffer) {
-    if (enough || questions.stopped()) break;
-    const double size = next_size(share * estimate, questions.unit());
-    if (size <= too_little) continue;
-    if (auto design = with(size))
-      enough = Sized{size, *std::move(design), false};
-    else
-      too_little = size;
-  }
-  while (enough && !enough->is_least && !questions.stopped()) {
-    const double size = next_size(0.5 * (too_little + enough->size), questions.unit());
-    if (size >= enough->size)
-      enough->is_least = true;
-    else if (auto design = with(size))
-      enough = Sized{size, *std::move(design), false};
-    else
-      too_little = size;
-  }
-  return enough;
-}
-
 /// The least of a few sizes with which there is a design. Where the spec lists sections it is another one of them.
 void larger(Questions& questions, const Dimension& dimension, const TooSoft& times) {
   const Spec& spec = questions.spec();
@@ -97,18 +56,21 @@ void larger(Questions& questions, const Dimension& dimension, const TooSoft& tim
     style.*dimension.value = size;
     return LinkSection{style.width, style.thickness};
   };
-  auto found = least_size(questions, given, estimate, [&](double size) {
-    Spec other = spec;
-    use_section(other.links.style, section(size));
-    if (has_sections) other.links.sections = {section(size)};
-    return questions.best_of(other);
-  });
+  auto found = least_change(
+      questions, given, [&](double share) { return share * estimate; },
+      [&](double size) { return next_size(size, questions.unit()); },
+      [&](double size) {
+        Spec other = spec;
+        use_section(other.links.style, section(size));
+        if (has_sections) other.links.sections = {section(size)};
+        return questions.best_of(other);
+      });
   if (!found) return;
-  if (has_sections) found->design.section = section(found->size);
+  if (has_sections) found->design.section = section(found->value);
   questions.keep(Relaxation{.key = key,
                             .sentence = has_sections
-                                            ? section_would_do(section(found->size), questions.unit())
-                                            : length_would_do(key, given, found->size, questions.unit()),
+                                            ? section_would_do(section(found->value), questions.unit())
+                                            : length_would_do(key, given, found->value, questions.unit()),
                             .design = std::move(found->design),
                             .is_least = found->is_least});
 }

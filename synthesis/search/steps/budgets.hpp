@@ -190,8 +190,9 @@ struct DiagnosisBudget {
   int halvings_of_sag = 3;  ///< of what a limit on the sag has to give: to an eighth
   /// Times the size that links are estimated to need under a limit that asks for stiff ones: the first with a design is taken.
   std::array<double, 4> stiffer{0.98, 1.12, 1.35, 1.8};
-  double largest_section = 4;         ///< times the size given: no larger one is estimated
-  int pole_digits = 4;                ///< grids that a pole's place is rounded to, each ten times finer
+  double largest_section = 4;  ///< times the size given: no larger one is estimated
+  double firmer = 8;           ///< times the grip given, or the play that is looked for: no more is estimated
+  int pole_digits = 4;         ///< grids that a pole's place is rounded to, each ten times finer
   std::size_t single_obstacles = 12;  ///< looked at one by one; more of them only all together
 };
 

@@ -90,6 +90,7 @@ Spec as_told(Spec spec, const std::string& key, const std::string& sentence) {
     spec.limits.copy_error = left_out ? std::nullopt : std::optional<double>(value());
   if (key == "limits.load_error_mm")
     spec.limits.load_error = left_out ? std::nullopt : std::optional<double>(value());
+  if (key == "limits.sag_mm") spec.limits.sag = left_out ? std::nullopt : std::optional<double>(value());
   if (key == "links.longest_mm") spec.links.longest = value();
   if (key == "limits.longest_strip_mm") spec.limits.longest_strip = value();
   if (key == "links.hardware") {
@@ -106,6 +107,11 @@ Spec as_told(Spec spec, const std::string& key, const std::string& sentence) {
     const std::size_t by = sentence.rfind(" x "), with = sentence.rfind("with ");
     spec = with_section(spec, {std::stod(sentence.substr(with + 5)), std::stod(sentence.substr(by + 3))});
   }
+  if (key == "load.rests")
+    spec.load->rests.push_back(sentence.ends_with("with \"pen\" added a design exists") ? Carrier::pen
+                                                                                        : Carrier::tracer);
+  if (key == "load.grip_mm") spec.load->grip = value();
+  if (key == "tolerance.play_mm") spec.tolerance->play = value();
   if (key == "material.name" || key == "material") {
     const std::size_t from = sentence.rfind('"', sentence.rfind('"') - 1) + 1;
     spec.material = as_material(*material_named(sentence.substr(from, sentence.rfind('"') - from)));
@@ -532,6 +538,52 @@ TEST(Diagnosis, StifferLinksAreNotAskedForWhereAnotherLimitIsInTheWay) {
   const NoDesign none = nothing_for(spec);
   for (const char* key : {"links.thickness_mm", "material.name"})
     EXPECT_EQ(of_key(none, key), nullptr) << key;
+}
+
+/// The nameplate in steel of one section and grounding, with a limit on the sag, most of which is by pins that tilt within their play.
+Spec sagging_nameplate(double limit) {
+  Spec spec = test::shipped_spec("nameplate-steel");
+  spec.objective.groundings = {Grounding::pole};
+  spec.links.layers = 2;
+  spec.links.sections.clear();
+  use_section(spec.links.style, {20, 5});
+  spec.limits.load_error.reset();
+  spec.limits.sag = limit;
+  return spec;
+}
+
+TEST(Diagnosis, RestsALongerGripAndLessPlayAreNamedWherePinsTiltTooFar) {
+  const Spec spec = sagging_nameplate(2);
+  const NoDesign none = nothing_for(spec);
+  for (const char* key : {"limits.sag_mm", "load.rests", "load.grip_mm", "tolerance.play_mm"})
+    EXPECT_NE(of_key(none, key), nullptr) << key;
+  check(spec, none);
+  const auto is_least = [&](const char* key, double less) {
+    const Relaxation* one = of_key(none, key);
+    ASSERT_NE(one, nullptr);
+    EXPECT_TRUE(one->is_least);
+    const double size = enough(one->sentence);
+    EXPECT_FALSE(has_design(as_told(spec, key, fmt::format("in the way; {} would do", size + less))))
+        << one->sentence;
+  };
+  is_least("load.grip_mm", -0.5);
+  is_least("tolerance.play_mm", 0.001);
+  EXPECT_TRUE(
+      of_key(none, "load.grip_mm")
+          ->sentence.starts_with("load.grip_mm, left out, is the links' thickness, 5, which is in the way"));
+}
+
+/// A grip that the spec states is told as any value is; on a tilted table nothing rests.
+TEST(Diagnosis, OnATiltedTableNothingIsToldToRest) {
+  Spec spec = sagging_nameplate(2);
+  spec.load->grip = 5;
+  spec.load->tilt = radians(5);
+  const NoDesign none = nothing_for(spec);
+  EXPECT_EQ(of_key(none, "load.rests"), nullptr);
+  const Relaxation* grip = of_key(none, "load.grip_mm");
+  ASSERT_NE(grip, nullptr) << none.sentence;
+  EXPECT_TRUE(grip->sentence.starts_with("load.grip_mm = 5 is in the way; ")) << grip->sentence;
+  check(spec, none);
 }
 
 /// Every single key that restricts designs, left out or at the loosest value that a spec may state.
