@@ -26,6 +26,7 @@
 #include "specs/unit_words.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/design/copy_overlap.hpp"
+#include "synthesis/design/error_budget.hpp"
 #include "synthesis/loads/gravity.hpp"
 
 namespace kempe::app {
@@ -246,13 +247,20 @@ std::string loads_lines(const Design& design) {
                         design.style.thickness, design.allowed->sections.size());
   if (const auto& loads = design.quality.loads) {
     const double weight = most_force_at_pen(*design.load) - design.load->pen_force;
-    text += fmt::format(
-        "load         {:g} N {}at the pen: it gives way by {:.4g} mm at worst{}, {:.4g} mm in the stiffest "
-        "direction\n",
-        design.load->pen_force, weight > 0 ? fmt::format("and {:.3g} N of weight ", weight) : "",
-        loads->error_max,
-        design.limits.load_error ? fmt::format(" (limit {:.4g})", *design.limits.load_error) : "",
-        loads->error_min);
+    const auto& limit = design.limits.load_error;
+    const auto whole = give_in_all(design.quality);
+    text += fmt::format("load         {:g} N {}at the pen: it gives way by ", design.load->pen_force,
+                        weight > 0 ? fmt::format("and {:.3g} N of weight ", weight) : "");
+    if (whole)
+      text +=
+          fmt::format("{:.4g} mm at worst, with {}\n             and by ", *whole, beside_the_links(design));
+    text +=
+        fmt::format("{:.4g} mm by the links alone{}, {:.4g} mm in the stiffest direction\n", loads->error_max,
+                    limit ? fmt::format(" (limit {:.4g})", *limit) : "", loads->error_min);
+    if (gives_too_far_in_all(design))
+      text +=
+          fmt::format("             limits.load_error_mm speaks of the links alone: with {} it is exceeded\n",
+                      beside_the_links(design));
     text += fmt::format("             the hand holds {} N against it, the worst pin bears {} N{}\n",
                         three_digits(loads->hand_force_max), three_digits(loads->pin_force_max),
                         loads->weight_error_max ? " with the links' own weight" : "");
@@ -323,7 +331,7 @@ std::string summary_text(const Design& design, SpecUnit unit, const std::filesys
     text += "clearance    NOT MEASURED: stopped early; the limit is kept where the region is covered\n";
   text += keys_in(unit, copy_error_lines(design));
   text += keys_in(unit, overload_lines(design));
-  text += loads_lines(design);
+  text += keys_in(unit, loads_lines(design));
   text += weight_lines(design);
   text += keys_in(unit, budget_lines(design));
   text += robust_line(design, decimals);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "geometry/fixed_text.hpp"
 #include "synthesis/design/error_budget.hpp"
 #include "synthesis/loads/feel.hpp"
@@ -10,8 +12,8 @@
 namespace kempe::app {
 namespace {
 
-/// Shares: an angle read in degrees is upright, and a limit is kept, but for rounding.
-constexpr double angle_rounding = 1e-12, load_limit_rounding = 1e-9;
+/// A share: an angle read in degrees is upright but for rounding.
+constexpr double angle_rounding = 1e-12;
 
 bool stands_upright(const Design& design) {
   return design.load && design.load->tilt > pi / 2 * (1 - angle_rounding);
@@ -55,10 +57,12 @@ std::string parts_of(const ErrorBudget& budget, bool in_plane) {
   return fmt::format("{:.3g} mm at worst:{}", budget.sum(in_plane), text);
 }
 
-std::string help_words(const BudgetEntry* entry) {
-  return entry == nullptr ? ""
-                          : fmt::format("{} ({}: {:.3g} -> {:.3g} mm)", entry->changes.front().words,
-                                        name(entry->source), entry->error, entry->changes.front().after);
+/// "VA to ±0.025 mm (all of it 0.53 -> 0.48 mm)"; "" for none.
+std::string help_words(const std::optional<BestChange>& best) {
+  if (!best) return "";
+  return fmt::format("{}{} ({:.3g} -> {:.3g} mm)", best->change.words,
+                     best->change.needs_other_lengths ? ", with other lengths" : "", best->before,
+                     best->change.after);
 }
 
 }  // namespace
@@ -87,23 +91,16 @@ std::string budget_lines(const Design& design) {
   if (budget->sum(false) > 0)
     text += std::string("             ") + (budget->pulls() ? "down or up " : "down ") +
             parts_of(*budget, false) + "\n";
-  if (const auto& limit = design.limits.load_error; limit && design.quality.loads) {
-    const double links = design.quality.loads->error_max, beyond = budget->beyond_the_links();
-    const double kept = *limit * (1 + load_limit_rounding);
-    if (links <= kept && links + beyond > kept)
-      text += fmt::format(
-          "             limits.load_error_mm speaks of the links alone; with {} the pen gives way by up to "
-          "{:.3g} mm\n",
-          budget->has_own_weight() ? "pins, layers and the links' own weight" : "pins and layers",
-          links + beyond);
-  }
-  const std::string in_plane = help_words(budget->most_helpful(true)),
-                    down = help_words(budget->most_helpful(false));
-  if (!in_plane.empty()) text += "             most would help " + in_plane + "\n";
-  if (!down.empty())
-    text += fmt::format(
-        "             {} {}\n",
-        in_plane.empty() ? "most would help" : "and " + std::string(budget->help_out_of_plane()), down);
+  const std::string give = help_words(budget->best_against_give),
+                    in_plane = help_words(budget->best_in_plane), down = help_words(budget->best_down);
+  auto add = [&, first = true](const std::string& against, const std::string& words) mutable {
+    if (words.empty()) return;
+    text += fmt::format("             {} {}: {}\n", std::exchange(first, false) ? "most would help" : "and",
+                        against, words);
+  };
+  add("against giving way", give);
+  if (!budget->is_one_change_for_both()) add("in the plane", in_plane);
+  add(std::string(budget->help_out_of_plane()), down);
   return text;
 }
 

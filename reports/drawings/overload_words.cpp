@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/fixed_text.hpp"
+#include "synthesis/design/error_budget.hpp"
 #include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/link_forces.hpp"
 #include "synthesis/loads/plane_weight.hpp"
@@ -16,6 +17,9 @@
 
 namespace kempe {
 namespace {
+
+/// Share of a limit on the load error by which it may be missed: rounding.
+constexpr double load_limit_rounding = 1e-9;
 
 /// Share of the longest bar or arm: beams that bend by more no longer do so in proportion to their load.
 constexpr double small_bending = 0.1;
@@ -91,6 +95,19 @@ std::optional<std::string> large_bending_words(const Design& design) {
       "the links bend by {} mm, more than a tenth of their length: load error and sag are computed for small "
       "bending, and the true ones are other figures",
       three_digits(bent));
+}
+
+std::string beside_the_links(const Design& design) {
+  const auto& layered = design.quality.layered;
+  return layered && layered->weight_error_max.value_or(0) > no_drop ? "pins, layers and the links' own weight"
+                                                                    : "pins and layers";
+}
+
+bool gives_too_far_in_all(const Design& design) {
+  const auto whole = give_in_all(design.quality);
+  if (!design.limits.load_error || !whole) return false;
+  const double kept = *design.limits.load_error * (1 + load_limit_rounding);
+  return design.quality.loads->error_max <= kept && *whole > kept;
 }
 
 }  // namespace kempe

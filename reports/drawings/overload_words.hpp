@@ -26,4 +26,9 @@ std::vector<std::string> overload_words(const Design& design);
 /// That links bend so far that figures of small bending are no longer right; nothing where they do not, and without a load.
 std::optional<std::string> large_bending_words(const Design& design);
 
+/// "pins and layers", or with "the links' own weight": what a load error of the links alone lacks.
+std::string beside_the_links(const Design& design);
+/// True if the links alone keep the limit on the load error, and with all that is beside them the pen gives way too far for it.
+bool gives_too_far_in_all(const Design& design);
+
 }  // namespace kempe

@@ -106,7 +106,7 @@ std::string copy_error_chart(const CopyErrorChart& chart) {
   return "<figure class=\"chart-figure\">" + svg_chart(chart.title, inside) +
          fmt::format("<figcaption><span class=\"key-worst\">{}</span> <span class=\"key-rss\">{}</span> ",
                      chart.worst_name, chart.rss_name) +
-         (chart.limit ? "<span class=\"key-limit\">limit</span> " : "") +
+         (chart.limit ? fmt::format("<span class=\"key-limit\">{}</span> ", chart.limit_name) : "") +
          "<span class=\"key-used\">openings that the region uses</span></figcaption></figure>\n";
 }
 

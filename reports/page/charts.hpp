@@ -19,6 +19,7 @@ struct CopyErrorChart {
   std::optional<double> limit;  ///< of the worst case, mm
   std::string title = "Copy error over the opening", y_name = "copy error, mm";
   std::string worst_name = "worst case", rss_name = "typical";  ///< of the two curves
+  std::string limit_name = "limit";
 };
 std::string copy_error_chart(const CopyErrorChart& chart);
 /// The front between two objectives, this design marked.

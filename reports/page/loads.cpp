@@ -66,10 +66,14 @@ std::string source_words(const Design& design, ErrorSource source) {
   return "Pull: what the load lifts or lowers by the links' layers";
 }
 
+std::string change_words(const BudgetChange& change) {
+  return in_html(change.words) + (change.needs_other_lengths ? ", with other lengths" : "");
+}
+
 std::string changes_text(const BudgetEntry& entry) {
   std::string text;
   for (const BudgetChange& change : entry.changes)
-    text += fmt::format("{}{}: {} → {}", text.empty() ? "" : "<br>or ", in_html(change.words),
+    text += fmt::format("{}{}: {} → {}", text.empty() ? "" : "<br>or ", change_words(change),
                         small_length(entry.error), small_length(change.after));
   return text;
 }
@@ -102,32 +106,41 @@ std::string budget_table(const Design& design, const ErrorBudget& budget) {
       rows);
 }
 
+/// How far the pen gives way in all and by the links alone, "under 30 N at the pen it gives way by ..."; of the links alone where what the
+/// layers add is not stated.
+std::string give_figure(const Design& design) {
+  const std::string links = small_length(design.quality.loads->error_max);
+  const std::string worst = "in the worst direction at the worst place of the region";
+  const auto whole = give_in_all(design.quality);
+  return whole ? fmt::format("under {} it gives way by <b>{}</b> {}, with {}; by its links alone by {}",
+                             pull_words(*design.load), small_length(*whole), worst, beside_the_links(design),
+                             links)
+               : fmt::format("under {} it gives way by <b>{}</b> {}, by its links alone",
+                             pull_words(*design.load), links, worst);
+}
+
 /// Yes or no where there is a limit; else how much of the whole error it is.
 std::string give_verdict(const Design& design, const ErrorBudget& budget) {
-  const double error = design.quality.loads->error_max;
-  const std::string figure = fmt::format(
-      "under {} it gives way by <b>{}</b> in the worst direction at the worst place of the region",
-      pull_words(*design.load), small_length(error));
+  const std::string figure = give_figure(design);
   if (const auto& limit = design.limits.load_error) {
     const std::string text = fmt::format("{}; {} are allowed.", figure, limit_text(*limit));
-    if (!(error <= *limit * (1 + 1e-9))) return "No: " + text;
-    const double whole = error + budget.beyond_the_links();
-    if (whole <= *limit * (1 + 1e-9))
-      return budget.states_layers
-                 ? "Yes: " + text
-                 : "By links and pins yes; what the layers add is not stated, for two joints of a "
-                   "link are too near each other: " +
-                       text;
-    const char* rest = budget.has_own_weight() ? "pins, layers and the links' own weight" : "pins and layers";
+    if (!(design.quality.loads->error_max <= *limit * (1 + 1e-9))) return "No: " + text;
+    if (!budget.states_layers)
+      return "By links and pins yes; what the layers add is not stated, for two joints of a link are too "
+             "near "
+             "each other: " +
+             text;
+    if (!gives_too_far_in_all(design)) return "Yes: " + text;
     return fmt::format(
-        "By the links alone yes, with {} no: {} That is what the links give; with {} "
-        "it is up to <b>{}</b>. A smaller limits.load_error_mm makes room for them.",
-        rest, text, rest, small_length(whole));
+        "By the links alone yes, with {} no: {} That limit, limits.load_error_mm, speaks of the "
+        "links alone.",
+        beside_the_links(design), text);
   }
-  if (!design.tolerance) return fmt::format("U{}.", figure.substr(1));
+  const auto whole = give_in_all(design.quality);
+  if (!design.tolerance || !whole) return fmt::format("U{}.", figure.substr(1));
   const double sum = budget.sum(true);
-  return fmt::format("U{}: {} % of the whole error in the plane, {} at worst.", figure.substr(1),
-                     figure_text(100 * error / sum, 1), small_length(sum));
+  return fmt::format("U{}. That is {} % of the whole error in the plane, {} at worst.", figure.substr(1),
+                     figure_text(100 * *whole / sum, 1), small_length(sum));
 }
 
 /// What the load does beside weight and play, which the sag does not have.
@@ -157,20 +170,24 @@ std::string sag_verdict(const Design& design) {
                : fmt::format(" P{}: the spec sets no limit on this (limits.sag_mm).", figure);
 }
 
-std::string most_helpful_text(const BudgetEntry* entry) {
-  if (entry == nullptr) return {};
-  const BudgetChange& change = entry->changes.front();
-  return fmt::format("{}: {} → {}", in_html(change.words), small_length(entry->error),
-                     small_length(change.after));
+std::string best_text(const std::optional<BestChange>& best) {
+  if (!best) return {};
+  return fmt::format("{}: {} → {}", change_words(best->change), small_length(best->before),
+                     small_length(best->change.after));
 }
 
 std::string what_helps(const ErrorBudget& budget) {
-  const std::string in_plane = most_helpful_text(budget.most_helpful(true)),
-                    down = most_helpful_text(budget.most_helpful(false));
-  if (in_plane.empty() && down.empty()) return {};
-  return "<p>What would help most" + (in_plane.empty() ? "" : " in the plane: " + in_plane) +
-         (in_plane.empty() || down.empty() ? "" : ";") +
-         (down.empty() ? "" : fmt::format(" {}: {}", budget.help_out_of_plane(), down)) + ".</p>\n";
+  const std::string give = best_text(budget.best_against_give), in_plane = best_text(budget.best_in_plane),
+                    down = best_text(budget.best_down);
+  std::string text;
+  const auto add = [&](std::string_view against, const std::string& words) {
+    if (!words.empty())
+      text += fmt::format("{} {}: {}", text.empty() ? "What would help most" : ";", against, words);
+  };
+  add("against giving way", give);
+  if (!budget.is_one_change_for_both()) add("against the whole error in the plane", in_plane);
+  add(budget.help_out_of_plane(), down);
+  return text.empty() ? text : "<p>" + text + ".</p>\n";
 }
 
 /// What breaks, buckles or bends beyond small bending, before all else.
@@ -280,20 +297,26 @@ std::string forces_table(const Design& design, const OpeningInterval& openings) 
          note + own_weight + "</p>\n";
 }
 
+/// With pins and layers, and of the links alone, for which the limit holds; where what the layers add is not stated, of the links alone in two
+/// directions.
 std::string load_chart(const Design& design, const OpeningInterval& used) {
   const CopyingLinkage& linkage = design.linkage;
-  const LoadErrorProfile profile(linkage.k(), linkage.grounding(), design.style, *design.material,
-                                 most_force_at_pen(*design.load));
+  const LoadErrorProfile links(linkage.k(), linkage.grounding(), design.style, *design.material,
+                               most_force_at_pen(*design.load));
+  const ErrorCourse course(design);
+  const bool states_layers = design.quality.layered.has_value();
   CopyErrorChart chart{{}, used, design.limits.load_error};
-  chart.title = "Load error of the links over the opening";
-  chart.y_name = "load error, mm";
-  chart.worst_name = "worst direction";
-  chart.rss_name = "stiffest direction";
+  chart.title = "How far the pen gives way over the opening";
+  chart.y_name = "gives way, mm";
+  chart.worst_name = states_layers ? "with " + beside_the_links(design) : "by the links, worst direction";
+  chart.rss_name = states_layers ? "by the links alone" : "stiffest direction";
+  chart.limit_name = "limit, of the links alone";
   constexpr int steps = 120;
   for (int i = 0; i <= steps && design.opening.width() > 0; ++i) {
     const double opening = design.opening.lower + design.opening.width() * i / steps;
-    const LoadErrorAt error = profile.at({linkage.VA(), linkage.VB()}, opening);
-    if (std::isfinite(error.worst)) chart.rows.push_back({opening, error.worst, error.least});
+    const LoadErrorAt alone = links.at({linkage.VA(), linkage.VB()}, opening);
+    const double most = states_layers ? course.give(opening) : alone.worst;
+    if (std::isfinite(most)) chart.rows.push_back({opening, most, states_layers ? alone.worst : alone.least});
   }
   return copy_error_chart(chart);
 }
@@ -310,7 +333,9 @@ std::string loads(const Design& design) {
       "<p class=\"note\">Links of {}, {} mm, as slender beams, pins of steel; in the plane with pole and "
       "tracer held. {}Each source alone at its worst place, so that a sum is no less than what its sources "
       "do together at any one "
-      "place.{}</p>\n",
+      "place. Each change is judged with the lengths as they are; “with other lengths” stands beside one "
+      "with which they would break another limit, so that parts touch, say: then the task wants a new "
+      "design.{}</p>\n",
       html_escaped(design.material->name), section_text(design.style),
       design.style.plate == PlateStyle::triangle
           ? "Triangular plates are taken as two arms: they are stiffer. "

@@ -188,12 +188,13 @@ std::string copy_error_figure(const Design& design) {
 
 std::string load_error_figure(const Design& design) {
   if (!design.quality.loads || !design.load) return {};
-  const double error = design.quality.loads->error_max;
-  return html_key_figure(
-      "Gives way at worst", length_text(error, error < 0.01 ? 4 : 3),
-      fmt::format(
-          "by its links alone, under {}{}", force_text(most_force_at_pen(*design.load)),
-          design.limits.load_error ? ", limit " + limit_text(*design.limits.load_error) : std::string()));
+  const double links = design.quality.loads->error_max, whole = give_in_all(design.quality).value_or(links);
+  const auto text = [](double error) { return length_text(error, error < 0.01 ? 4 : 3); };
+  std::string note = "under " + force_text(most_force_at_pen(*design.load)) + "; ";
+  if (design.quality.layered) note += text(links) + " ";
+  note += "by its links alone";
+  if (design.limits.load_error) note += ", limit " + limit_text(*design.limits.load_error);
+  return html_key_figure("Gives way at worst", text(whole), note);
 }
 
 std::string sag_figure(const Design& design) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -15,6 +16,8 @@
 #include "synthesis/loads/plane_weight.hpp"
 #include "synthesis/loads/sag.hpp"
 #include "synthesis/loads/top_over.hpp"
+#include "synthesis/search/steps/design_check.hpp"
+#include "synthesis/search/steps/obstacle_check.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/reach.hpp"
 
@@ -40,6 +43,23 @@ std::string instead(const LinkStyle& now, const LinkStyle& before) {
   return section_words(now) + " instead of " + section_words(before);
 }
 
+constexpr ErrorSource all_sources[] = {ErrorSource::lengths, ErrorSource::play,   ErrorSource::load,
+                                       ErrorSource::pins,    ErrorSource::layers, ErrorSource::own_weight,
+                                       ErrorSource::weight,  ErrorSource::tilt,   ErrorSource::pull};
+
+/// What a builder could change: the rest of a design stays.
+struct Made {
+  SagConditions conditions;  ///< links, pins, grip and what rests
+  CopyTolerance tolerance{};
+};
+
+/// mm, of each source; infinite where it cannot be stated.
+struct Errors {
+  std::array<double, std::size(all_sources)> mm{};
+  double& operator[](ErrorSource source) { return mm[static_cast<std::size_t>(source)]; }
+  double operator[](ErrorSource source) const { return mm[static_cast<std::size_t>(source)]; }
+};
+
 /// What budget and course share.
 struct Measured {
   const Design& design;
@@ -52,8 +72,8 @@ struct Measured {
                             most_force_at_pen(*design.load), pins)
         .worst_over({linkage.VA(), linkage.VB()}, openings);
   }
-  PinCompliance pins(const LinkStyle& style, const JointHardware& hardware) const {
-    return pin_compliance(design.linkage.grounding(), design.layers, style, hardware);
+  PinCompliance pins(const SagConditions& conditions) const {
+    return pin_compliance(design.linkage.grounding(), design.layers, conditions.style, conditions.hardware);
   }
   /// The worst copy error over the region under these tolerances; 0 where there are none.
   double copy_error(const CopyTolerance& tolerance) const {
@@ -62,49 +82,66 @@ struct Measured {
   }
 };
 
-BudgetEntry load_entry(const Measured& of) {
-  const LinkStyle& style = of.design.style;
-  LinkStyle wider = style;
-  wider.width = next_of(flat_widths, style.width);
-  return {ErrorSource::load, of.give(style, {}), {{instead(wider, style), of.give(wider, {})}}};
-}
-
-BudgetEntry pins_entry(const Measured& of) {
-  constexpr double thicker = 1.25;
-  const LinkStyle& style = of.design.style;
-  LinkStyle other = style;
-  other.pin_diameter *= thicker;
-  const double rigid = of.give(style, {});
-  return {
-      ErrorSource::pins,
-      of.give(style, of.pins(style, of.design.hardware)) - rigid,
-      {{fmt::format("pins of {:.3g} mm", other.pin_diameter), of.give(style, of.pins(other, {})) - rigid}}};
-}
-
 /// mm, the most that the pen moves in the plane by the links' own weight: with links, pins and layers, or where the layers say nothing with links and
 /// pins alone.
-double own_weight(const Measured& of, const SagConditions& conditions) {
-  const CopyingLinkage& linkage = of.design.linkage;
+double own_weight(const Measured& measured, const SagConditions& conditions) {
+  const Design& design = measured.design;
+  const CopyingLinkage& linkage = design.linkage;
   const BarLengths lengths{linkage.VA(), linkage.VB()};
   const double layered =
-      LayeredErrorProfile(linkage.k(), linkage.grounding(), conditions, most_force_at_pen(*of.design.load))
-          .by_weight_over(lengths, of.openings)
+      LayeredErrorProfile(linkage.k(), linkage.grounding(), conditions, most_force_at_pen(*design.load))
+          .by_weight_over(lengths, measured.openings)
           .in_plane;
   if (std::isfinite(layered)) return layered;
-  return PlaneWeight(linkage.k(), linkage.grounding(), conditions.style, *of.design.material, conditions.tilt,
-                     of.pins(conditions.style, of.design.hardware))
-      .most_over(lengths, of.openings);
+  return PlaneWeight(linkage.k(), linkage.grounding(), conditions.style, *design.material, conditions.tilt,
+                     measured.pins(conditions))
+      .most_over(lengths, measured.openings);
 }
 
-void add_own_weight(const Measured& of, std::vector<BudgetEntry>& entries) {
-  const SagConditions now = sag_conditions(spec_of(of.design), of.design.layers);
-  const double error = own_weight(of, now);
-  if (!(error > no_drop)) return;
-  SagConditions wider = now;
-  wider.style.width = next_of(flat_widths, now.style.width);
-  entries.push_back(
-      {ErrorSource::own_weight, error, {{instead(wider.style, now.style), own_weight(of, wider)}}});
+/// The most that tracer or pen sinks over the openings by this part, mm.
+double worst_drop(const Measured& measured, const SagConditions& conditions, double Drop::*part) {
+  const CopyingLinkage& linkage = measured.design.linkage;
+  const SagProfile profile(linkage.k(), linkage.grounding(), conditions);
+  const auto most = [&](double opening) {
+    const SagAt at = profile.at(linkage.VA(), linkage.VB(), opening);
+    return std::isfinite(at.most()) ? std::max({0.0, at.tracer.*part, at.pen.*part}) : infinity;
+  };
+  return most(top_over(measured.openings, most));
 }
+
+/// Links in layers above each other: in the plane what they give beyond load and pins, and how far tracer or pen rises or sinks, on a tilted
+/// table by the links' own weight along it too.
+void add_layers(const Measured& measured, const SagConditions& conditions, Errors& errors) {
+  const CopyingLinkage& linkage = measured.design.linkage;
+  const auto all = LayeredErrorProfile(linkage.k(), linkage.grounding(), conditions,
+                                       most_force_at_pen(*measured.design.load))
+                       .over({linkage.VA(), linkage.VB()}, measured.openings);
+  const double flat = errors[ErrorSource::load] + errors[ErrorSource::pins];
+  errors[ErrorSource::layers] = all ? std::max(0.0, all->error_max - flat) : infinity;
+  errors[ErrorSource::pull] = all ? all->rise_max + all->weight_rise_max.value_or(0) : infinity;
+}
+
+void add_tolerances(const Measured& measured, const CopyTolerance& tolerance, Errors& errors) {
+  errors[ErrorSource::lengths] = measured.copy_error({tolerance.length, {}});
+  errors[ErrorSource::play] = measured.copy_error({{}, tolerance.play});
+}
+
+void add_loads(const Measured& measured, const SagConditions& conditions, Errors& errors) {
+  const double rigid_pins = measured.give(conditions.style, {});
+  errors[ErrorSource::load] = rigid_pins;
+  errors[ErrorSource::pins] = measured.give(conditions.style, measured.pins(conditions)) - rigid_pins;
+  add_layers(measured, conditions, errors);
+  errors[ErrorSource::own_weight] = own_weight(measured, conditions);
+  errors[ErrorSource::weight] = worst_drop(measured, conditions, &Drop::by_weight);
+  errors[ErrorSource::tilt] = worst_drop(measured, conditions, &Drop::by_play);
+}
+
+/// A change with all that is then left.
+struct Candidate {
+  std::string words;
+  Errors after;
+  bool needs_other_lengths = false;
+};
 
 const SourceContribution* largest_source(const std::vector<SourceContribution>& sources, std::size_t from,
                                          std::size_t to) {
@@ -115,158 +152,191 @@ const SourceContribution* largest_source(const std::vector<SourceContribution>& 
   return best == end || best->worst == 0 ? nullptr : &*best;
 }
 
-/// Lengths and play, each alone, as the tolerance says.
-void add_tolerances(const Measured& of, std::vector<BudgetEntry>& entries) {
-  if (!of.design.tolerance) return;
-  const Tolerance& given = *of.design.tolerance;
-  const CopyTolerance all = CopyTolerance::uniform(given);
-  const auto over = copy_error_over(of.design.linkage, all, of.design.region);
-  if (!over || over->sources.size() != error_source_count) return;
-  const auto number = [&](const SourceContribution* source) {
-    return static_cast<std::size_t>(source - over->sources.data());
-  };
-  if (const auto* worst = largest_source(over->sources, 0, 8); worst && given.length > 0) {
-    CopyTolerance better{all.length, {}};
-    better.length[number(worst)] *= 0.5;
-    entries.push_back(
-        {ErrorSource::lengths,
-         of.copy_error({all.length, {}}),
-         {{fmt::format("{} to ±{:.3g} mm", worst->name, 0.5 * given.length), of.copy_error(better)}}});
+/// Whether a design with other links and pins of the same lengths keeps what the spec limits beside the errors themselves.
+bool keeps_the_rest(const Design& design, const SagConditions& conditions) {
+  Spec spec = spec_of(design);
+  spec.links.style = conditions.style;
+  spec.links.hardware = conditions.hardware;
+  Requirements limits = requirements_of(spec);
+  limits.load_error = limits.sag = limits.copy_error = std::nullopt;
+  const DesignCheck check = check_design(spec, limits, design.linkage, design.layers);
+  return check.feasible &&
+         (!has_obstructions(map_task(design)) || check_obstacles(spec, limits, design.linkage, design.layers,
+                                                                 check.opening, {}, SmallestGap::as_limit)
+                                                     .clear);
+}
+
+/// All that a builder might change, one at a time.
+class Candidates {
+ public:
+  Candidates(const Measured& measured, const Made& now, const Errors& errors)
+      : measured_(measured), now_(now), errors_(errors) {}
+
+  std::vector<Candidate> all() {
+    tighten();
+    wider();
+    thicker();
+    thicker_pins();
+    let_rest();
+    hold_longer();
+    return std::move(all_);
   }
-  if (const auto* worst = largest_source(over->sources, 8, error_source_count); worst && given.play > 0) {
-    CopyTolerance reamed{{}, all.play};
-    reamed.play[number(worst) - 8] = 0;
-    entries.push_back(
-        {ErrorSource::play,
-         of.copy_error({{}, all.play}),
-         {{fmt::format("no {}: ream the hole to its pin", worst->name), of.copy_error(reamed)}}});
+
+ private:
+  void add_tighter(std::string words, const CopyTolerance& tolerance) {
+    Candidate one{std::move(words), errors_};
+    add_tolerances(measured_, tolerance, one.after);
+    all_.push_back(std::move(one));
   }
-}
 
-using PartOfDrop = double Drop::*;
-
-/// The most that tracer or pen sinks over the openings by this part; which of the two.
-struct WorstDrop {
-  double drop = 0;
-  Carrier point = Carrier::pen;
-};
-
-WorstDrop worst_drop(const Measured& of, const SagConditions& conditions, PartOfDrop part) {
-  const CopyingLinkage& linkage = of.design.linkage;
-  const SagProfile profile(linkage.k(), linkage.grounding(), conditions);
-  const auto sag = [&](double opening) { return profile.at(linkage.VA(), linkage.VB(), opening); };
-  const auto most = [&](const SagAt& at) {
-    return std::isfinite(at.most()) ? std::max({0.0, at.tracer.*part, at.pen.*part}) : infinity;
-  };
-  const SagAt worst = sag(top_over(of.openings, [&](double opening) { return most(sag(opening)); }));
-  return {most(worst), worst.tracer.*part > worst.pen.*part ? Carrier::tracer : Carrier::pen};
-}
-
-SagConditions with_next_thickness(SagConditions conditions) {
-  conditions.style.thickness = next_of(flat_thicknesses, conditions.style.thickness);
-  return conditions;
-}
-
-/// What links in layers above each other do: in the plane what they give beyond load and pins, and how far tracer or pen rises or sinks, on a
-/// tilted table by the links' own weight along it too.
-struct LayersDo {
-  double in_plane, rise;  ///< mm; infinite where they cannot be stated
-};
-
-LayersDo layers_do(const Measured& of, const SagConditions& conditions) {
-  const CopyingLinkage& linkage = of.design.linkage;
-  const auto all =
-      LayeredErrorProfile(linkage.k(), linkage.grounding(), conditions, most_force_at_pen(*of.design.load))
-          .over({linkage.VA(), linkage.VB()}, of.openings);
-  if (!all) return {infinity, infinity};
-  const double stated = of.give(conditions.style, of.pins(conditions.style, of.design.hardware));
-  return {std::max(0.0, all->error_max - stated), all->rise_max + all->weight_rise_max.value_or(0)};
-}
-
-/// False where they cannot be stated.
-bool add_layers(const Measured& of, std::vector<BudgetEntry>& entries) {
-  const SagConditions now = sag_conditions(spec_of(of.design), of.design.layers);
-  const LayersDo here = layers_do(of, now);
-  if (!std::isfinite(here.in_plane)) return false;
-  const SagConditions thicker = with_next_thickness(now);
-  const LayersDo then = layers_do(of, thicker);
-  BudgetEntry in_plane{
-      ErrorSource::layers, here.in_plane, {{instead(thicker.style, now.style), then.in_plane}}};
-  BudgetEntry down{ErrorSource::pull, here.rise, {{instead(thicker.style, now.style), then.rise}}};
-  if (now.tilt == 0)
-    for (const Carrier point : {Carrier::tracer, Carrier::pen}) {
-      SagConditions resting = now;
-      (point == Carrier::tracer ? resting.tracer_rests : resting.pen_rests) = true;
-      const LayersDo rested = layers_do(of, resting);
-      const std::string words =
-          fmt::format("the {} resting on the table", point == Carrier::tracer ? "tracer" : "pen");
-      in_plane.changes.push_back({words, rested.in_plane});
-      down.changes.push_back({words, rested.rise});
+  /// The link's length and the pin's play that do most.
+  void tighten() {
+    const Design& design = measured_.design;
+    if (!design.tolerance) return;
+    const auto over = copy_error_over(design.linkage, now_.tolerance, design.region);
+    if (!over || over->sources.size() != error_source_count) return;
+    const auto number = [&](const SourceContribution* source) {
+      return static_cast<std::size_t>(source - over->sources.data());
+    };
+    if (const auto* worst = largest_source(over->sources, 0, 8)) {
+      CopyTolerance better = now_.tolerance;
+      better.length[number(worst)] *= 0.5;
+      add_tighter(fmt::format("{} to ±{:.3g} mm", worst->name, 0.5 * design.tolerance->length), better);
     }
-  if (here.in_plane > no_drop) entries.push_back(std::move(in_plane));
-  if (here.rise > no_drop) entries.push_back(std::move(down));
-  return true;
-}
+    if (const auto* worst = largest_source(over->sources, 8, error_source_count)) {
+      CopyTolerance reamed = now_.tolerance;
+      reamed.play[number(worst) - 8] = 0;
+      add_tighter(fmt::format("no {}: ream the hole to its pin", worst->name), reamed);
+    }
+  }
 
-void add_sag(const Measured& of, std::vector<BudgetEntry>& entries) {
-  const SagConditions now = sag_conditions(spec_of(of.design), of.design.layers);
-  const WorstDrop weight = worst_drop(of, now, &Drop::by_weight), tilt = worst_drop(of, now, &Drop::by_play);
-  if (!std::isfinite(weight.drop) || !std::isfinite(tilt.drop)) return;
-  const SagConditions thicker = with_next_thickness(now);
-  const SagConditions resting = [&] {
-    SagConditions other = now;
-    (weight.point == Carrier::tracer ? other.tracer_rests : other.pen_rests) = true;
-    return other;
-  }();
-  const auto rest = [&](PartOfDrop part) {
-    const char* point = weight.point == Carrier::tracer ? "tracer" : "pen";
-    return BudgetChange{fmt::format("the {} resting on the table", point),
-                        worst_drop(of, resting, part).drop};
-  };
-  const bool is_level = now.tilt == 0;  // on a tilted table little holds down what rests
-  BudgetEntry by_weight{
-      ErrorSource::weight,
-      weight.drop,
-      {{instead(thicker.style, now.style), worst_drop(of, thicker, &Drop::by_weight).drop}}};
-  if (is_level) by_weight.changes.push_back(rest(&Drop::by_weight));
-  if (weight.drop > no_drop) entries.push_back(std::move(by_weight));
-  if (!(tilt.drop > no_drop)) return;
-  SagConditions gripped = now;
-  gripped.grip *= 2;
-  BudgetEntry by_play{
-      ErrorSource::tilt,
-      tilt.drop,
-      {{fmt::format("pins gripped over {:.3g} mm instead of {:.3g} mm", gripped.grip, now.grip),
-        worst_drop(of, gripped, &Drop::by_play).drop}}};
-  if (is_level) by_play.changes.push_back(rest(&Drop::by_play));
-  entries.push_back(std::move(by_play));
-}
+  void add(std::string words, const SagConditions& conditions) {
+    Candidate one{std::move(words), errors_};
+    add_loads(measured_, conditions, one.after);
+    all_.push_back(std::move(one));
+  }
+
+  /// Of other outlines: a design that does not keep its spec as it is says nothing of them.
+  void add_other_parts(std::string words, const SagConditions& conditions) {
+    add(std::move(words), conditions);
+    const Design& design = measured_.design;
+    all_.back().needs_other_lengths =
+        keeps_the_rest(design, now_.conditions) && !keeps_the_rest(design, conditions);
+  }
+
+  void wider() {
+    SagConditions other = now_.conditions;
+    other.style.width = next_of(flat_widths, other.style.width);
+    add_other_parts(instead(other.style, now_.conditions.style), other);
+  }
+
+  void thicker() {
+    SagConditions other = now_.conditions;
+    other.style.thickness = next_of(flat_thicknesses, other.style.thickness);
+    if (!measured_.design.load->grip) other.grip = other.style.thickness;
+    add(instead(other.style, now_.conditions.style), other);
+  }
+
+  void thicker_pins() {
+    SagConditions other = now_.conditions;
+    other.style.pin_diameter *= 1.25;
+    other.hardware = {};
+    add_other_parts(fmt::format("pins of {:.3g} mm", other.style.pin_diameter), other);
+  }
+
+  /// On a tilted table little holds down what rests.
+  void let_rest() {
+    if (now_.conditions.tilt != 0) return;
+    for (const auto& [rests, point] :
+         {std::pair{&SagConditions::tracer_rests, "tracer"}, std::pair{&SagConditions::pen_rests, "pen"}}) {
+      SagConditions other = now_.conditions;
+      if (std::exchange(other.*rests, true)) continue;
+      add(fmt::format("the {} resting on the table", point), other);
+    }
+  }
+
+  void hold_longer() {
+    if (!(now_.conditions.play > 0)) return;
+    SagConditions other = now_.conditions;
+    other.grip *= 2;
+    add(fmt::format("pins gripped over {:.3g} mm instead of {:.3g} mm", other.grip, now_.conditions.grip),
+        other);
+  }
+
+  const Measured& measured_;
+  const Made& now_;
+  const Errors& errors_;
+  std::vector<Candidate> all_{};
+};
 
 /// Share of a source's error: a change that takes less of it away is not worth a new part.
 constexpr double least_gain = 0.05;
+/// Told of one source.
+constexpr std::size_t most_changes = 3;
 
-/// Changes that help, the best first; entries in the order of ErrorBudget.
-void put_in_order(std::vector<BudgetEntry>& entries) {
-  for (BudgetEntry& entry : entries) {
-    std::erase_if(entry.changes, [&](const BudgetChange& change) {
-      return !(change.after < (1 - least_gain) * entry.error);
-    });
-    std::stable_sort(entry.changes.begin(), entry.changes.end(),
-                     [](const BudgetChange& a, const BudgetChange& b) { return a.after < b.after; });
+bool is_better(const BudgetChange& a, const BudgetChange& b) {
+  return std::pair(a.needs_other_lengths, a.after) < std::pair(b.needs_other_lengths, b.after);
+}
+
+/// Those that help, the best first.
+std::vector<BudgetChange> changes_of(ErrorSource source, double error,
+                                     const std::vector<Candidate>& candidates) {
+  std::vector<BudgetChange> changes;
+  for (const Candidate& one : candidates)
+    if (const double after = one.after[source]; after < (1 - least_gain) * error)
+      changes.push_back({one.words, after, one.needs_other_lengths});
+  std::stable_sort(changes.begin(), changes.end(), is_better);
+  if (changes.size() > most_changes) changes.resize(most_changes);
+  return changes;
+}
+
+/// Of those that help with any of the entries counted, the change that leaves least of their sum.
+template <typename IsCounted>
+std::optional<BestChange> best_change(const std::vector<BudgetEntry>& entries,
+                                      const std::vector<Candidate>& candidates, const IsCounted& is_counted) {
+  std::optional<BestChange> best;
+  double before = 0;
+  for (const BudgetEntry& entry : entries)
+    if (is_counted(entry.source)) before += entry.error;
+  for (const Candidate& one : candidates) {
+    double after = 0, most = 0;
+    ErrorSource mostly{};
+    bool helps = false;
+    for (const BudgetEntry& entry : entries) {
+      if (!is_counted(entry.source)) continue;
+      const double here = one.after[entry.source];
+      after += here;
+      helps = helps || here < (1 - least_gain) * entry.error;
+      if (entry.error - here > most) most = entry.error - here, mostly = entry.source;
+    }
+    if (!helps || !(after < before)) continue;
+    BestChange found{{one.words, after, one.needs_other_lengths}, before, mostly};
+    if (!best || is_better(found.change, best->change)) best = std::move(found);
+  }
+  return best;
+}
+
+/// The entries of a design as it is, in the order of ErrorBudget.
+std::vector<BudgetEntry> entries_of(const Errors& errors, const std::vector<Candidate>& candidates) {
+  std::vector<BudgetEntry> entries;
+  for (const ErrorSource source : all_sources) {
+    const double error = errors[source];
+    const bool always = source == ErrorSource::load || source == ErrorSource::pins;
+    if (std::isfinite(error) && (always || error > no_drop))
+      entries.push_back({source, error, changes_of(source, error, candidates)});
   }
   std::stable_sort(entries.begin(), entries.end(), [](const BudgetEntry& a, const BudgetEntry& b) {
     const bool a_in_plane = is_in_plane(a.source), b_in_plane = is_in_plane(b.source);
     return a_in_plane != b_in_plane ? a_in_plane : a.error > b.error;
   });
-}
-
-double gain_of(const BudgetEntry& entry) {
-  return entry.changes.empty() ? 0 : entry.error - entry.changes.front().after;
+  return entries;
 }
 
 }  // namespace
 
 bool is_in_plane(ErrorSource source) { return source < ErrorSource::weight; }
+
+bool is_give(ErrorSource source) { return is_in_plane(source) && source >= ErrorSource::load; }
 
 std::string_view name(ErrorSource source) {
   constexpr std::string_view names[] = {"lengths",    "play",   "load", "pins", "layers",
@@ -281,12 +351,10 @@ double ErrorBudget::sum(bool in_plane) const {
   return sum;
 }
 
-double ErrorBudget::beyond_the_links() const {
+double ErrorBudget::give() const {
   double sum = 0;
   for (const BudgetEntry& entry : entries)
-    if (entry.source == ErrorSource::pins || entry.source == ErrorSource::layers ||
-        entry.source == ErrorSource::own_weight)
-      sum += entry.error;
+    if (is_give(entry.source)) sum += entry.error;
   return sum;
 }
 
@@ -295,17 +363,13 @@ bool ErrorBudget::has_own_weight() const {
                      [](const BudgetEntry& entry) { return entry.source == ErrorSource::own_weight; });
 }
 
-const BudgetEntry* ErrorBudget::most_helpful(bool in_plane) const {
-  const BudgetEntry* best = nullptr;
-  for (const BudgetEntry& entry : entries)
-    if (is_in_plane(entry.source) == in_plane && gain_of(entry) > (best ? gain_of(*best) : 0)) best = &entry;
-  return best;
+bool ErrorBudget::is_one_change_for_both() const {
+  return best_in_plane && best_against_give && best_in_plane->change.words == best_against_give->change.words;
 }
 
 std::string_view ErrorBudget::help_out_of_plane() const {
-  const BudgetEntry* entry = most_helpful(false);
-  return entry != nullptr && entry->source == ErrorSource::pull ? "against what the load lifts or lowers"
-                                                                : "against sinking";
+  return best_down && best_down->mostly == ErrorSource::pull ? "against what the load lifts or lowers"
+                                                             : "against sinking";
 }
 
 bool ErrorBudget::pulls() const {
@@ -316,16 +380,26 @@ bool ErrorBudget::pulls() const {
 std::optional<ErrorBudget> error_budget(const Design& design) {
   const auto openings = openings_over(design.linkage, design.region);
   if (!design.load || !design.material || !openings || openings->empty()) return std::nullopt;
-  const Measured of{design, *openings};
-  ErrorBudget budget;
-  add_tolerances(of, budget.entries);
-  budget.entries.push_back(load_entry(of));
-  budget.entries.push_back(pins_entry(of));
-  budget.states_layers = add_layers(of, budget.entries);
-  add_own_weight(of, budget.entries);
-  add_sag(of, budget.entries);
-  put_in_order(budget.entries);
+  const Measured measured{design, *openings};
+  const Made now{sag_conditions(spec_of(design), design.layers),
+                 design.tolerance ? CopyTolerance::uniform(*design.tolerance) : CopyTolerance{}};
+  Errors errors{};
+  if (design.tolerance) add_tolerances(measured, now.tolerance, errors);
+  add_loads(measured, now.conditions, errors);
+  const std::vector<Candidate> candidates = Candidates(measured, now, errors).all();
+  ErrorBudget budget{.entries = entries_of(errors, candidates),
+                     .states_layers = std::isfinite(errors[ErrorSource::layers])};
+  budget.best_in_plane = best_change(budget.entries, candidates, is_in_plane);
+  budget.best_down =
+      best_change(budget.entries, candidates, [](ErrorSource one) { return !is_in_plane(one); });
+  budget.best_against_give = best_change(budget.entries, candidates, is_give);
   return budget;
+}
+
+std::optional<double> give_in_all(const Quality& quality) {
+  if (!quality.loads || !quality.layered) return std::nullopt;
+  return std::max(quality.loads->error_max, quality.layered->error_max) +
+         quality.layered->weight_error_max.value_or(0);
 }
 
 ErrorCourse::ErrorCourse(const Design& design)

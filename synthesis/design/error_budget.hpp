@@ -28,6 +28,8 @@ enum class ErrorSource {
 };
 /// False of those that let pen or tracer sink or rise.
 bool is_in_plane(ErrorSource source);
+/// True of those by which the pen gives way in the plane under the load: all in it but lengths and play.
+bool is_give(ErrorSource source);
 /// "lengths", "play", "load", "pins", "layers", "own weight", "weight", "tilt", "pull": for a person.
 std::string_view name(ErrorSource source);
 
@@ -37,14 +39,24 @@ inline constexpr double no_drop = 1e-9;
 /// One thing that a builder could do.
 struct BudgetChange {
   std::string words;  ///< "15 x 6 mm instead of 15 x 5 mm"
-  double after = 0;   ///< mm, what is then left of the source's error
+  double after = 0;   ///< mm, what is then left of the error
+  /// True where the same lengths break, with it, another limit of the spec, so that parts touch, say.
+  bool needs_other_lengths = false;
 };
 
 /// One part of the error.
 struct BudgetEntry {
   ErrorSource source;
-  double error = 0;                     ///< mm, of this source alone at its worst place of the region
-  std::vector<BudgetChange> changes{};  ///< what would help, the best first
+  double error = 0;  ///< mm, of this source alone at its worst place of the region
+  /// What would help, at most three, the best first; those that need other lengths last.
+  std::vector<BudgetChange> changes{};
+};
+
+/// The one change that takes most of a sum of entries away, of those that these lengths allow if any of them helps.
+struct BestChange {
+  BudgetChange change;  ///< `after`: of the sum
+  double before = 0;    ///< mm, the sum as it is
+  ErrorSource mostly;   ///< the entry of which it takes most away
 };
 
 /// All parts, those in the plane first, each group from the largest to the least. The sum of a group is no less than what its parts do together
@@ -54,13 +66,15 @@ struct ErrorBudget {
   /// False where the equations of the links' bending out of the plane lose their digits: then `layers` and `pull` are not stated, and sums lack
   /// them.
   bool states_layers = true;
+  /// What would help most: in the plane, out of it, and against what the pen gives way in the plane; absent where nothing helps.
+  std::optional<BestChange> best_in_plane{}, best_down{}, best_against_give{};
   /// mm, of the entries in the plane or of the others.
   double sum(bool in_plane) const;
-  /// mm, pins, layers and the links' own weight: what a load error of the links alone does not have.
-  double beyond_the_links() const;
-  /// The entry of a group whose best change takes most of it away; null where none helps.
-  const BudgetEntry* most_helpful(bool in_plane) const;
-  /// What the change of most_helpful(false) works against: "against sinking", or "against what the load lifts or lowers".
+  /// mm, how far the pen gives way in the plane: load, pins, layers and the links' own weight.
+  double give() const;
+  /// True if best_in_plane is best_against_give.
+  bool is_one_change_for_both() const;
+  /// What best_down works against: "against sinking", or "against what the load lifts or lowers".
   std::string_view help_out_of_plane() const;
   /// True if the links' own weight pulls along the table.
   bool has_own_weight() const;
@@ -70,6 +84,9 @@ struct ErrorBudget {
 
 /// Of a design with load and material whose assembly mode reaches the region; nothing otherwise.
 std::optional<ErrorBudget> error_budget(const Design& design);
+
+/// mm, as ErrorBudget::give(), by the design's figures alone; nothing without a load, and where what the layers add is not stated.
+std::optional<double> give_in_all(const Quality& quality);
 
 /// The parts at single openings, for pictures; mm.
 class ErrorCourse {

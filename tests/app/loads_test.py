@@ -70,7 +70,7 @@ class Loads(unittest.TestCase):
                 self.assertNotIn("whatever limits.load_error_mm is", text)
             for text in said[True]:
                 self.assertIn(", whatever limits.load_error_mm is", text)
-            self.assertRegex(said[True][0], r"mm at worst \(limit 0\.4567\), ")
+            self.assertRegex(said[True][0], r"mm by the links alone \(limit 0\.4567\), ")
             self.assertRegex(said[True][1], r"limit 0\.4567\smm")
 
     def test_a_load_changes_no_design(self):
@@ -78,7 +78,8 @@ class Loads(unittest.TestCase):
         said, loaded = self.design(LOADED, "loaded")
         self.assertEqual(plain["mechanism"], loaded["mechanism"])
         self.assertNotIn("load", plain)
-        self.assertRegex(said, r"it gives way by 0.6929 mm at worst, [0-9.e-]+ mm in the stiffest direction\n")
+        self.assertRegex(said, r"it gives way by 0.6994 mm at worst, with pins and layers\n"
+                               r" +and by 0.6929 mm by the links alone, [0-9.e-]+ mm in the stiffest direction\n")
         self.assertAlmostEqual(loaded["quality"]["load_error_max_mm"], 0.69285, delta=1e-4)
         self.assertAlmostEqual(loaded["quality"]["hand_force_max_N"], 14, delta=1e-9)
 
