@@ -251,16 +251,18 @@ std::string loads_lines(const Design& design) {
     const auto whole = give_in_all(design.quality);
     text += fmt::format("load         {:g} N {}at the pen: it gives way by ", design.load->pen_force,
                         weight > 0 ? fmt::format("and {:.3g} N of weight ", weight) : "");
+    const std::string allowed = limit ? fmt::format(" (limit {:.4g})", *limit) : "";
+    const bool in_all = design.limits.load_error_in_all;
     if (whole)
-      text +=
-          fmt::format("{:.4g} mm at worst, with {}\n             and by ", *whole, beside_the_links(design));
-    text +=
-        fmt::format("{:.4g} mm by the links alone{}, {:.4g} mm in the stiffest direction\n", loads->error_max,
-                    limit ? fmt::format(" (limit {:.4g})", *limit) : "", loads->error_min);
+      text += fmt::format("{:.4g} mm at worst{}, with {}\n             and by ", *whole,
+                          in_all ? allowed : "", beside_the_links(design));
+    text += fmt::format("{:.4g} mm by the links alone{}, {:.4g} mm in the stiffest direction\n",
+                        loads->error_max, in_all ? "" : allowed, loads->error_min);
     if (gives_too_far_in_all(design))
-      text +=
-          fmt::format("             limits.load_error_mm speaks of the links alone: with {} it is exceeded\n",
-                      beside_the_links(design));
+      text += fmt::format(
+          "             limits.load_error_mm speaks of the links alone: with {} it is exceeded;\n"
+          "             limits.load_error_in_all = true counts them\n",
+          beside_the_links(design));
     text += fmt::format("             the hand holds {} N against it, the worst pin bears {} N{}\n",
                         three_digits(loads->hand_force_max), three_digits(loads->pin_force_max),
                         loads->weight_error_max ? " with the links' own weight" : "");

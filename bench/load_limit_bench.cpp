@@ -1,7 +1,7 @@
 // What a limit on the load error costs the search: each spec without it and with one that binds, by turns, in CPU time.
 //
 // usage: kempe_load_limit_bench [--seeds COUNT] [--rounds COUNT] [--share SHARE ...] [SPEC.toml | SPECS.jsonl ...]
-// SHARE: the limit, times the load error of the design that is best without one (0.98 and 0.9).
+// SHARE: the limit, times the load error of the design that is best without one (0.98 and 0.9). It is one of the links alone.
 // SPECS.jsonl: a spec a line, as random_specs.py leaves them in its folder.
 // For each spec and seed one line: CPU time without and with, their ratio, what both designs come to; where no design keeps the limit, whether
 // that is proven (why there is none is not asked). At the end, of those with a design, of those where it is proven that there is none, and
@@ -75,6 +75,7 @@ NamedSpec loaded(const std::string& name, tl::expected<Spec, InputError> spec) {
   spec->material = spec->material.value_or(Material{"steel", 200000, 7850, 235});
   spec->load = spec->load.value_or(Load{10});
   spec->limits.load_error.reset();
+  spec->limits.load_error_in_all = false;
   return {name, std::move(*spec)};
 }
 

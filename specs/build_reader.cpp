@@ -251,6 +251,7 @@ Limits read_limits(const TableView& table) {
   table.set("copy_error_mm", limits.copy_error);
   table.set("longest_strip_mm", limits.longest_strip);
   table.set("load_error_mm", limits.load_error);
+  table.set("load_error_in_all", limits.load_error_in_all);
   table.set("sag_mm", limits.sag);
   limits.transmission = radians(transmission_degrees);
   return limits;

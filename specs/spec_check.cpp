@@ -120,6 +120,7 @@ toml::table limits_table(const Limits& limits) {
   put(table, "copy_error_mm", limits.copy_error);
   put(table, "longest_strip_mm", limits.longest_strip);
   put(table, "load_error_mm", limits.load_error);
+  put(table, "load_error_in_all", limits.load_error_in_all, usual.load_error_in_all);
   put(table, "sag_mm", limits.sag);
   return table;
 }

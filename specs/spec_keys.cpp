@@ -110,6 +110,8 @@ constexpr SpecKey keys[] = {
     {"limits", "load_error_mm", number, above(0, 1000), "", optional, "", "0.1",
      "most that the pen may give way under [load], in its worst direction in the plane; left out: not "
      "limited"},
+    {"limits", "load_error_in_all", truth, any, "", optional, "false", "true",
+     "pins, layers and the links' own weight count towards load_error_mm too; false: the links alone do"},
     {"limits", "sag_mm", number, above(0, 1000), "", optional, "", "0.5",
      "most that tracer or pen may sink by weight and play; left out: not limited"},
 

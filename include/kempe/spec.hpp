@@ -142,6 +142,8 @@ struct Limits {
   std::optional<double> longest_strip{};
   /// mm, > 0, at most: how far the pen gives way under Spec::load in its worst direction, in the plane; absent: not required
   std::optional<double> load_error{};
+  /// What the pen gives way by pins, layers and the links' own weight counts towards `load_error` too; false: the links alone do.
+  bool load_error_in_all = false;
   /// mm, > 0, at most: how far tracer or pen sink by weight and play; absent: not required
   std::optional<double> sag{};
 };

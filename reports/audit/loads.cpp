@@ -265,6 +265,12 @@ void check_mass(const AuditTask& task, AuditRecord& record) {
   record.figure("quality.mass_kg", *stated, found, share_of_rounding * found);
 }
 
+/// mm, what limits.load_error_in_all counts.
+double give_in_all_of(const AuditTask& task, double links, bool weighs) {
+  const LayeredFigures found = layered_response_over(task, *task.needed, weighs);
+  return std::max(links, found.error_max) + found.weight_error_max.value_or(0);
+}
+
 }  // namespace
 
 void audit_loads(const AuditTask& task, AuditRecord& record) {
@@ -293,7 +299,9 @@ void audit_loads(const AuditTask& task, AuditRecord& record) {
   const bool weighs = design.quality.loads && design.quality.loads->weight_error_max;
   const PlaneResponse found = response_over(task, *task.needed, weighs);
   if (design.quality.loads) check_load_figures(*design.quality.loads, *design.load, found, record);
-  limit.check(task, most_force_at_pen(*design.load) * found.by_newton.worst, record);
+  const double links = most_force_at_pen(*design.load) * found.by_newton.worst;
+  const bool in_all = design.limits && design.limits->load_error_in_all;
+  limit.check(task, in_all ? give_in_all_of(task, links, weighs) : links, record);
 }
 
 }  // namespace kempe

@@ -24,6 +24,7 @@ Json limits_json(const Limits& limits) {
             {"copy_error_mm", finite_or_null(limits.copy_error)}};
   if (limits.longest_strip) json["longest_strip_mm"] = *limits.longest_strip;
   if (limits.load_error) json["load_error_mm"] = *limits.load_error;
+  if (limits.load_error_in_all) json["load_error_in_all"] = true;
   if (limits.sag) json["sag_mm"] = *limits.sag;
   return json;
 }

@@ -105,7 +105,7 @@ std::string beside_the_links(const Design& design) {
 
 bool gives_too_far_in_all(const Design& design) {
   const auto whole = give_in_all(design.quality);
-  if (!design.limits.load_error || !whole) return false;
+  if (!design.limits.load_error || design.limits.load_error_in_all || !whole) return false;
   const double kept = *design.limits.load_error * (1 + load_limit_rounding);
   return design.quality.loads->error_max <= kept && *whole > kept;
 }

@@ -28,7 +28,8 @@ std::optional<std::string> large_bending_words(const Design& design);
 
 /// "pins and layers", or with "the links' own weight": what a load error of the links alone lacks.
 std::string beside_the_links(const Design& design);
-/// True if the links alone keep the limit on the load error, and with all that is beside them the pen gives way too far for it.
+/// True if the limit on the load error, which speaks of the links alone, is kept by them, and with all that is beside them the pen gives way
+/// too far for it.
 bool gives_too_far_in_all(const Design& design);
 
 }  // namespace kempe

@@ -123,8 +123,12 @@ std::string give_figure(const Design& design) {
 std::string give_verdict(const Design& design, const ErrorBudget& budget) {
   const std::string figure = give_figure(design);
   if (const auto& limit = design.limits.load_error) {
-    const std::string text = fmt::format("{}; {} are allowed.", figure, limit_text(*limit));
-    if (!(design.quality.loads->error_max <= *limit * (1 + 1e-9))) return "No: " + text;
+    const bool in_all = design.limits.load_error_in_all;
+    const std::string text =
+        fmt::format("{}; {} are allowed{}.", figure, limit_text(*limit), in_all ? " in all" : "");
+    const double counted =
+        in_all ? give_in_all(design.quality).value_or(infinity) : design.quality.loads->error_max;
+    if (!(counted <= *limit * (1 + 1e-9))) return "No: " + text;
     if (!budget.states_layers)
       return "By links and pins yes; what the layers add is not stated, for two joints of a link are too "
              "near "
@@ -132,8 +136,8 @@ std::string give_verdict(const Design& design, const ErrorBudget& budget) {
              text;
     if (!gives_too_far_in_all(design)) return "Yes: " + text;
     return fmt::format(
-        "By the links alone yes, with {} no: {} That limit, limits.load_error_mm, speaks of the "
-        "links alone.",
+        "By the links alone yes, with {} no: {} That limit, limits.load_error_mm, speaks of the links alone, "
+        "unless limits.load_error_in_all is true.",
         beside_the_links(design), text);
   }
   const auto whole = give_in_all(design.quality);
@@ -310,7 +314,7 @@ std::string load_chart(const Design& design, const OpeningInterval& used) {
   chart.y_name = "gives way, mm";
   chart.worst_name = states_layers ? "with " + beside_the_links(design) : "by the links, worst direction";
   chart.rss_name = states_layers ? "by the links alone" : "stiffest direction";
-  chart.limit_name = "limit, of the links alone";
+  chart.limit_name = design.limits.load_error_in_all ? "limit" : "limit, of the links alone";
   constexpr int steps = 120;
   for (int i = 0; i <= steps && design.opening.width() > 0; ++i) {
     const double opening = design.opening.lower + design.opening.width() * i / steps;

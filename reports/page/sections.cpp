@@ -191,9 +191,12 @@ std::string load_error_figure(const Design& design) {
   const double links = design.quality.loads->error_max, whole = give_in_all(design.quality).value_or(links);
   const auto text = [](double error) { return length_text(error, error < 0.01 ? 4 : 3); };
   std::string note = "under " + force_text(most_force_at_pen(*design.load)) + "; ";
+  const std::string limit =
+      design.limits.load_error ? "limit " + limit_text(*design.limits.load_error) : std::string();
+  if (design.limits.load_error_in_all) note += limit + "; ";
   if (design.quality.layered) note += text(links) + " ";
   note += "by its links alone";
-  if (design.limits.load_error) note += ", limit " + limit_text(*design.limits.load_error);
+  if (!design.limits.load_error_in_all && !limit.empty()) note += ", " + limit;
   return html_key_figure("Gives way at worst", text(whole), note);
 }
 

@@ -10,6 +10,7 @@
 #include "reports/page/sections.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "synthesis/design/assemble.hpp"
+#include "synthesis/design/error_budget.hpp"
 #include "synthesis/loads/gravity.hpp"
 
 namespace kempe::report_sections {
@@ -174,8 +175,14 @@ class QualityRows {
   void add_load() {
     const auto& loads = quality_.loads;
     if (!loads || !design_.load) return;
+    const Limits& limits = design_.limits;
+    const auto in_all = give_in_all(quality_);
+    if (in_all)
+      add("Pen gives way, worst", length_text(*in_all, 5),
+          limits.load_error_in_all ? at_most(*in_all, limits.load_error) : Requirement{},
+          "With pins, layers and, on a tilted table, the links' own weight: see the error budget.");
     add("Load error of the links, worst", length_text(loads->error_max, 5),
-        at_most(loads->error_max, design_.limits.load_error),
+        limits.load_error_in_all ? Requirement{} : at_most(loads->error_max, limits.load_error),
         fmt::format("How far the links let the pen give way under {} at the worst place of the region. "
                     "Pins and layers add to it{}: see the error budget.",
                     force_text(most_force_at_pen(*design_.load)),

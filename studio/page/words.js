@@ -16,6 +16,7 @@
     "limits.copy_error_mm": ["Copy error, most", "How far the pen may be off at worst, by the tolerances given below. Left out: not limited"],
     "limits.longest_strip_mm": ["Longest strip", "The longest strip at hand, from end to end. Left out: not limited"],
     "limits.load_error_mm": ["Pen gives way, most", "How far the pen may give way under the load, in its worst direction. Left out: not limited"],
+    "limits.load_error_in_all": ["Counts pins and layers", "What pins, layers and the links' own weight add counts towards how far the pen may give way. Else the links alone do"],
     "limits.sag_mm": ["Sag, most", "How far tracer or pen may sink by weight and play. Left out: not limited"],
     "links.width_mm": ["Width of the links", "All four moving links are strips of this width"],
     "links.pin_diameter_mm": ["Diameter of the pins", "Of pins and of the pole's post; at most the links' width"],

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "specs/hardware.hpp"
+#include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/link_arms.hpp"
 #include "synthesis/loads/over_directions.hpp"
 #include "synthesis/loads/pin_compliance.hpp"
@@ -538,6 +539,18 @@ std::optional<LinkStresses> LayeredErrorProfile::stresses_over(const BarLengths&
       of_link(most, link) += value(top_over(openings, value));
     }
   return std::isfinite(most.largest()) ? std::optional(most) : std::nullopt;
+}
+
+double give_in_all(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers,
+                   const OpeningInterval& openings) {
+  const BarLengths lengths{linkage.VA(), linkage.VB()};
+  const auto all = LayeredErrorProfile(linkage.k(), linkage.grounding(), sag_conditions(spec, layers),
+                                       most_force_at_pen(*spec.load))
+                       .over(lengths, openings);
+  if (!all) return infinity;
+  const double links =
+      load_error_profile(spec, linkage.k(), linkage.grounding()).worst_over(lengths, openings);
+  return std::max(links, all->error_max) + all->weight_error_max.value_or(0);
 }
 
 }  // namespace kempe

@@ -83,4 +83,9 @@ class LayeredErrorProfile {
   double force_;
 };
 
+/// mm, the most that the pen gives way in the plane over these openings, not empty: links, pins, layers and the links' own weight along a tilted
+/// table. Infinite where it cannot be stated. Of a spec with load and material.
+double give_in_all(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers,
+                   const OpeningInterval& openings);
+
 }  // namespace kempe

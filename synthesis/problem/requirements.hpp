@@ -66,8 +66,10 @@ struct Attained {
   double copy_gap = 0;     ///< negative: original and copy overlap
   double pole_margin = 0;  ///< distance of the pole from its area
   double copy_error = 0, footprint = 0;
-  double load_error = 0, mass = 0;  ///< mm, kg; 0 without load and material
-  double sag = 0;                   ///< mm; 0 unless it is limited
+  /// mm, kg; 0 without load and material. The load error of a finished design has pins and layers in it where Limits::load_error_in_all
+  /// says so, that of a problem's design never has.
+  double load_error = 0, mass = 0;
+  double sag = 0;  ///< mm; 0 unless it is limited
   double of(Goal goal) const;
 };
 

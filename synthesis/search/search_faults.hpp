@@ -26,6 +26,9 @@ inline std::optional<InputError> front_fault(const Spec& spec, Objective first, 
     return no_table("tolerance", "[tolerance] with length_mm and play_mm, for copy_error");
   if (seeks(Objective::load_error) && !spec.load)
     return no_table("load", "[load] with pen_N, for load_error");
+  if (seeks(Objective::load_error) && spec.limits.load_error_in_all)
+    return InputError{"", 0, "limits.load_error_in_all", "true",
+                      "false: a front's load error is that of the links alone"};
   if (seeks(Objective::mass) && !spec.material) return no_table("material", "[material] with name, for mass");
   if (spec.tolerance && spec.tolerance->robust)
     return InputError{"", 0, "tolerance.robust", "true", "false: fronts are of the instruments as drawn"};

@@ -91,6 +91,15 @@ TEST(LoadReader, AsksForWhatLimitsAndObjectivesNeed) {
   EXPECT_EQ(fault_of(steel + "[objective]\nminimize = \"load_error\"\n").key, "objective.minimize");
   EXPECT_EQ(fault_of("[objective]\nminimize = \"mass\"\n").key, "objective.minimize");
   EXPECT_EQ(spec_with(steel + "[objective]\nminimize = \"mass\"\n").objective.objective, Objective::mass);
+  const std::string loaded = steel + "[load]\npen_N = 10\n", in_all = "[limits]\nload_error_in_all = true\n";
+  EXPECT_EQ(fault_of(loaded + in_all).key, "limits.load_error_in_all");
+  const std::string limited = loaded + in_all + "load_error_mm = 0.1\n";
+  EXPECT_TRUE(spec_with(limited).limits.load_error_in_all);
+  EXPECT_FALSE(spec_with(loaded).limits.load_error_in_all);
+  EXPECT_EQ(fault_of(limited + "[objective]\nminimize = \"load_error\"\n").key, "limits.load_error_in_all");
+  const auto again = read_spec(spec_as_toml(spec_with(limited)), "again.toml", ".");
+  ASSERT_TRUE(again) << again.error().message();
+  EXPECT_TRUE(again->limits.load_error_in_all);
 }
 
 TEST(LoadReader, SortsSections) {

@@ -40,7 +40,8 @@ constexpr KnownKeys known_keys[] = {
      "driven_over"},
     {"search", "objective value solvers evaluations seed complete"},
     {"limits",
-     "clearance_mm transmission_deg sheets_gap_mm copy_error_mm longest_strip_mm load_error_mm sag_mm"},
+     "clearance_mm transmission_deg sheets_gap_mm copy_error_mm longest_strip_mm load_error_mm "
+     "load_error_in_all sag_mm"},
     {"material", "name E_GPa density_kg_m3 strength_MPa G_GPa"},
     {"load", "pen_N rests pen_mass_kg tracer_mass_kg tilt_deg grip_mm friction"},
     {"tolerance", "length_mm play_mm robust"},

@@ -16,6 +16,7 @@ Limits limits(const JsonField& field) {
   if (const auto error = field.find("copy_error_mm")) result.copy_error = error->number();
   if (const auto strip = field.find("longest_strip_mm")) result.longest_strip = length(*strip);
   if (const auto error = field.find("load_error_mm")) result.load_error = length(*error);
+  if (const auto in_all = field.find("load_error_in_all")) result.load_error_in_all = in_all->boolean();
   if (const auto sag = field.find("sag_mm")) result.sag = length(*sag);
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "synthesis/problem/slack.hpp"
 #include "synthesis/search/steps/design_check.hpp"
 #include "synthesis/search/steps/local_search.hpp"
 #include "synthesis/search/steps/obstacle_check.hpp"
@@ -44,10 +45,26 @@ double shortfall(const Requirements& limits, const DesignCheck& check) {
   }
 }
 
-/// The broken limit demanded more strictly from now on; false if that one cannot be.
-bool demand_more(Subproblem& sub, const Requirements& limits, const DesignCheck& check) {
+/// By how much the links' load error is to fall for the pen to keep its limit in all. What pins and layers add falls with it: at first
+/// as if in proportion, which is nearly enough; then as if it stayed, which is enough.
+double links_shortfall(const DesignProblem& problem, const Requirements& limits, const DesignCheck& check,
+                       int repairs) {
+  constexpr int in_proportion = 4;
+  constexpr double a_little_more = 1.01;
+  const double in_all = check.attained.load_error, limit = *limits.load_error;
+  const double excess = repairs < in_proportion
+                            ? *problem.limits().load_error * (1 - limit / in_all) * a_little_more
+                            : in_all - limit;
+  return excess / slack::tightening_factor;
+}
+
+/// The broken limit demanded more strictly from now on; false if that one cannot be. `repairs`: so far.
+bool demand_more(Subproblem& sub, const Requirements& limits, const DesignCheck& check, int repairs) {
   if (!check.broken || check.needed.empty()) return false;
-  return sub.problem->tighten(*check.broken, std::max(0.0, shortfall(limits, check)));
+  const double missing = *check.broken == Goal::load_error && limits.load_error_in_all
+                             ? links_shortfall(*sub.problem, limits, check, repairs)
+                             : shortfall(limits, check);
+  return sub.problem->tighten(*check.broken, std::max(0.0, missing));
 }
 
 ObstacleCheck checked_obstacles(const SearchTask& task, const Subproblem& sub, const CopyingLinkage& linkage,
@@ -59,14 +76,16 @@ ObstacleCheck checked_obstacles(const SearchTask& task, const Subproblem& sub, c
 }
 
 /// The subproblem with what the finished design misses; false if it misses nothing, or nothing that can be added. Tells in
-/// `found` which of the two it is.
-bool learn(const SearchTask& task, Subproblem& sub, ChoiceResult& found, bool may_solve_again) {
+/// `found` which of the two it is. `repairs`: so far.
+bool learn(const SearchTask& task, Subproblem& sub, ChoiceResult& found, int repairs) {
+  const bool may_solve_again = repairs < task.budgets().certify.repairs;
   const Choice& choice = sub.choice->choice;
   const auto linkage = linkage_of(task.spec(), choice, found.point);
   const DesignCheck check =
       linkage ? check_design(task.spec(), task.limits, *linkage, choice.layers) : DesignCheck{};
   found.feasible = check.feasible;
-  if (!check.feasible) return may_solve_again && !task.stopped() && demand_more(sub, task.limits, check);
+  if (!check.feasible)
+    return may_solve_again && !task.stopped() && demand_more(sub, task.limits, check, repairs);
   if (task.space().obstacles().empty()) return false;
   const ObstacleCheck obstacles = checked_obstacles(task, sub, *linkage, check.opening);
   found.feasible = obstacles.clear;
@@ -80,9 +99,8 @@ bool learn(const SearchTask& task, Subproblem& sub, ChoiceResult& found, bool ma
 
 ChoiceResult certified(const SearchTask& task, Subproblem& subproblem, ChoiceResult candidate,
                        double too_much) {
-  const int most = task.budgets().certify.repairs;
   for (int repairs = 0; candidate.feasible; ++repairs) {
-    if (!learn(task, subproblem, candidate, repairs < most)) break;
+    if (!learn(task, subproblem, candidate, repairs)) break;
     candidate = solved_again(task, subproblem, candidate);
     if (candidate.cost >= too_much) candidate.feasible = false;
   }

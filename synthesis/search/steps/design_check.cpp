@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/regions/region_algebra.hpp"
+#include "synthesis/loads/layer_offsets.hpp"
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/loads/mass.hpp"
 #include "synthesis/loads/sag.hpp"
@@ -36,8 +37,10 @@ void measure_over_openings(const Spec& spec, const CopyingLinkage& linkage, cons
     attained.copy_error =
         copy_error_profile(linkage, CopyTolerance::uniform(*spec.tolerance)).largest(needed).worst.worst;
   if (spec.load && spec.material)
-    attained.load_error = load_error_profile(spec, linkage.k(), linkage.grounding())
-                              .worst_over({linkage.VA(), linkage.VB()}, needed);
+    attained.load_error = spec.limits.load_error_in_all
+                              ? give_in_all(spec, linkage, layers, needed)
+                              : load_error_profile(spec, linkage.k(), linkage.grounding())
+                                    .worst_over({linkage.VA(), linkage.VB()}, needed);
   if (spec.limits.sag && spec.material)
     attained.sag = largest_sag(linkage, sag_conditions(spec, layers), needed).sag.most();
 }

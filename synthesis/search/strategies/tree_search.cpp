@@ -117,7 +117,7 @@ bool suits_tree_search(const SearchTask& task) {
   const Requirements& limits = task.limits;
   return !has_stock_lengths(task.spec()) && (task.goal == Goal::size || task.goal == Goal::transmission) &&
          (!task.space().obstacles().empty() || limits.load_error) && limits.pole_margin == 0 &&
-         !limits.size && !limits.footprint;
+         !limits.size && !limits.footprint && !limits.load_error_in_all;
 }
 
 SearchResult best_by_tree(const SearchTask& task) { return TreeSearch(task).run(); }

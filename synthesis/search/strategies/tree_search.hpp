@@ -8,7 +8,7 @@
 namespace kempe {
 
 /// True for tasks whose limits the tree knows, with obstacles, bodies, a table or a limit on the load error: without any of them the search of
-/// every choice is as quick.
+/// every choice is as quick. Of a limit that counts pins and layers the tree knows too little to end.
 bool suits_tree_search(const SearchTask& task);
 
 /// The best design that the tree leads to, with its bound. `exhausted`: no other choice and no other place is better by more

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tests/synthesis/shipped_spec.hpp"
 #include "synthesis/design/assemble.hpp"
+#include "tests/synthesis/shipped_spec.hpp"
 
 namespace kempe {
 namespace {
@@ -44,7 +44,8 @@ double error_of(const ErrorBudget& budget, ErrorSource source) {
 std::vector<Spec> loaded_specs() {
   std::vector<Spec> specs{test::shipped_spec("nameplate-steel"), test::shipped_spec("nameplate-pla"),
                           test::shipped_spec("pantorouter-upright"), test::shipped_spec("micro-manipulator")};
-  Spec crowded = test::shipped_spec("nameplate-pla");  // printed, in four layers: layers are most of what it gives
+  Spec crowded =
+      test::shipped_spec("nameplate-pla");  // printed, in four layers: layers are most of what it gives
   crowded.copy = Copy::of(0.5);
   crowded.region = Region::rectangle({120, -30}, {60, 60});
   crowded.pole.place = Point(0, 0);
@@ -99,7 +100,8 @@ TEST(ErrorBudget, TheBestChangeIsTheBestOfTheSum) {
       ASSERT_TRUE(best);
       EXPECT_NEAR(best->before, sum(*budget), 1e-12 * sum(*budget));
       if (const auto other = changed(design, best->change.words)) {
-        EXPECT_NEAR(best->change.after, sum(*error_budget(*other)), 1e-3 * best->before) << best->change.words;
+        EXPECT_NEAR(best->change.after, sum(*error_budget(*other)), 1e-3 * best->before)
+            << best->change.words;
       }
       for (const BudgetEntry& entry : budget->entries)
         for (const BudgetChange& change : entry.changes)

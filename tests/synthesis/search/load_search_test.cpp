@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "specs/materials.hpp"
+#include "synthesis/loads/layer_offsets.hpp"
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/loads/mass.hpp"
 #include "synthesis/loads/sag.hpp"
@@ -229,6 +230,82 @@ TEST(LoadSearch, SaysWhatLimitWouldDo) {
   ASSERT_NE(relaxed, none->relaxations.end());
   ASSERT_TRUE(relaxed->possible);
   EXPECT_LE(load_error_of(spec, relaxed->design), *relaxed->possible);
+}
+
+/// Over a grid: the best of a figure among linkages that keep all else, and their limit on the load error in all in some layers.
+template <class Figure>
+double best_in_all_on_a_grid(const Spec& spec, const Figure& figure) {
+  double best = HUGE_VAL;
+  best_on_a_grid(spec, [&](const CopyingLinkage& linkage, const OpeningInterval& openings) {
+    const double value = figure(linkage);
+    if (value >= best) return HUGE_VAL;
+    for (const LayerAssignment& layers : layer_assignments(2))
+      if (smallest_gap_over(linkage, spec.links.style, layers, openings).gap >= spec.limits.clearance &&
+          give_in_all(spec, linkage, layers, openings) <= *spec.limits.load_error)
+        best = value;
+    return HUGE_VAL;  // it is kept here
+  });
+  return best;
+}
+
+/// Wide links of plastic: pins and layers are much of what they give.
+Spec layered_plagiograph() {
+  Spec spec = plagiograph();
+  spec.links.style = {.width = 14, .pin_diameter = 4, .thickness = 6};
+  spec.material = as_material(*material_named("PLA"));
+  return spec;
+}
+
+TEST(LoadSearch, KeepsALimitInAll) {
+  for (const auto& one : {std::pair{0.0, Objective::size}, std::pair{radians(60), Objective::mass}}) {
+    const Objective objective = one.second;
+    Spec spec = layered_plagiograph();
+    spec.load->tilt = one.first;
+    spec.objective.objective = objective;
+    const FoundDesign free = design_for(spec);
+    const double all =
+        give_in_all(spec, free.linkage, free.layers, *openings_over(free.linkage, spec.region));
+    EXPECT_GT(all, 1.4 * load_error_of(spec, free));
+    for (const double share : {0.95, 0.85}) {
+      spec.limits.load_error = share * all;
+      spec.limits.load_error_in_all = true;
+      const FoundDesign held = design_for(spec);
+      const auto openings = openings_over(held.linkage, spec.region);
+      ASSERT_TRUE(openings);
+      const double attained = give_in_all(spec, held.linkage, held.layers, *openings);
+      EXPECT_LE(attained, *spec.limits.load_error * (1 + 1e-9));
+      EXPECT_EQ(attained, held.attained.load_error);
+      const bool by_size = objective == Objective::size;
+      const double on_a_grid = best_in_all_on_a_grid(spec, [&](const CopyingLinkage& linkage) {
+        return by_size ? linkage.size() : mass_of_links(linkage, spec);
+      });
+      EXPECT_LE(held.value, 1.002 * on_a_grid);
+      EXPECT_GE(held.value, 0.9 * on_a_grid);
+      spec.limits.load_error_in_all = false;
+      EXPECT_LT(design_for(spec).value, held.value);  // the links alone keep it with less
+    }
+  }
+}
+
+/// What is said to do does, counted in all.
+TEST(LoadSearch, SaysWhatLimitInAllWouldDo) {
+  Spec spec = layered_plagiograph();
+  spec.limits.load_error = 0.02;
+  spec.limits.load_error_in_all = true;
+  const SearchOutcome outcome = synthesize(spec, {});
+  const auto* none = std::get_if<NoDesign>(&outcome);
+  ASSERT_NE(none, nullptr);
+  const auto relaxed =
+      std::find_if(none->relaxations.begin(), none->relaxations.end(),
+                   [](const Relaxation& each) { return each.key == "limits.load_error_mm"; });
+  ASSERT_NE(relaxed, none->relaxations.end());
+  ASSERT_TRUE(relaxed->possible);
+  for (const Relaxation& one : none->relaxations)
+    EXPECT_LE(one.design.attained.load_error,
+              (1 + 1e-9) * (one.key == "limits.load_error_mm" ? *one.possible : *spec.limits.load_error))
+        << one.sentence;
+  spec.limits.load_error = *relaxed->possible;
+  EXPECT_LE(design_for(spec).attained.load_error, *spec.limits.load_error * (1 + 1e-9));
 }
 
 /// The engraver's pantograph of the examples in one grounding, with a limit on the sag that its smallest instrument does not keep.
