@@ -174,6 +174,33 @@ load_error_mm = 1000
         page = (self.here / "thin" / "report.html").read_text()
         self.assertIn("By links and pins yes; what the layers add is not stated", page)
 
+    def test_a_limit_may_count_pins_and_layers(self):
+        wide = LOADED.replace("width_mm = 6\nthickness_mm = 2", "width_mm = 14\nthickness_mm = 6").replace('"steel"', '"PLA"')
+        _, free = self.design(wide)
+        limit = 0.9 * free["quality"]["load_error_layered_max_mm"]
+        said, links = self.design(wide + f"[limits]\nload_error_mm = {limit}\n")
+        self.assertIn("limits.load_error_in_all = true counts them", said)
+        said, stated = self.design(wide + f"[limits]\nload_error_mm = {limit}\nload_error_in_all = true\n")
+        self.assertIs(stated["limits"]["load_error_in_all"], True)
+        self.assertLessEqual(stated["quality"]["load_error_layered_max_mm"], limit * (1 + 1e-9))
+        self.assertGreater(links["quality"]["load_error_layered_max_mm"], limit)
+        self.assertRegex(said, r"mm at worst \(limit [0-9.]+\), with pins and layers\n")
+        self.assertNotIn("speaks of the links alone", said)
+        self.assertIn("are allowed in all", (self.here / "design" / "report.html").read_text())
+        self.assertTrue(self.verify(stated)["certified"])
+        stricter = json.loads(json.dumps(stated))  # kept by the links, not in all
+        stricter["limits"]["load_error_mm"] = 0.5 * (stated["quality"]["load_error_max_mm"] + stated["quality"]["load_error_layered_max_mm"])
+        self.assertEqual([one["limit"] for one in self.verify(stricter)["broken"]], ["limits.load_error_mm"])
+        stricter["limits"]["load_error_in_all"] = False
+        self.assertTrue(self.verify(stricter)["certified"])
+        again = kempe("report", self.here / "design" / "design.json", "-o", self.here / "again")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual((self.here / "again" / "design.json").read_text(), (self.here / "design" / "design.json").read_text())
+        spec = self.here / "spec.toml"
+        refused = kempe("pareto", spec, "--between", "size,load_error", "-o", self.here / "front")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("limits.load_error_in_all", refused.stderr)
+
     def test_the_lightest_section_is_taken(self):
         text = LOADED.replace("width_mm = 6\nthickness_mm = 2\n", "sections_mm = [[10, 3], [6, 2], [8, 2]]\n")
         said, stated = self.design(text + '[limits]\nload_error_mm = 0.25\n[objective]\nminimize = "mass"\n')

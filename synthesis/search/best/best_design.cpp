@@ -1,5 +1,5 @@
 // tree                  among obstacles, beside bodies and under a limit on the load error: the bound's tree as the search (tree_search.hpp);
-//                       where it leaves nothing, that is all
+//                       where it leaves nothing, that is all; where the limit counts pins and layers too, if its design keeps it so
 // prove                 the bound's tree: it proves that there is no design, or gives places to start from
 // relax                 every choice without contact: an order, and what to prune by; at first without a limit on the load error, too;
 //                       where none that is left keeps it, a proof is asked for that no design does
@@ -19,10 +19,12 @@
 #include <span>
 
 #include "kinematics/parallel.hpp"
+#include "synthesis/loads/layer_offsets.hpp"
 #include "synthesis/search/steps/prove.hpp"
 #include "synthesis/search/strategies/stock_lengths.hpp"
 #include "synthesis/search/strategies/strategy.hpp"
 #include "synthesis/search/strategies/tree_search.hpp"
+#include "workspace/reach.hpp"
 
 namespace kempe {
 namespace {
@@ -148,6 +150,26 @@ SearchResult best_by_choices(const SearchTask& task, const FirstLook& look, bool
   return found;
 }
 
+/// The tree's search with the limit on the load error speaking of the links alone: exhausted only if its design keeps the limit in all,
+/// and so is the best; without a design otherwise. No design for the links alone is none in all.
+SearchResult best_by_tree_of_links(const SearchTask& task) {
+  Spec spec = task.spec();
+  Requirements limits = task.limits;
+  spec.limits.load_error_in_all = limits.load_error_in_all = false;
+  const SearchTask links{std::make_shared<const SearchProblem>(spec, limits), task.control, limits,
+                         task.goal};
+  if (!suits_tree_search(links)) return {};
+  SearchResult found = best_by_tree(links);
+  if (!found.design) return found;
+  const CopyingLinkage& linkage = found.design->linkage;
+  const auto openings = openings_over(linkage, spec.region);
+  const double in_all = openings ? give_in_all(spec, linkage, found.design->layers, *openings) : infinity;
+  found.design->attained.load_error = in_all;
+  found.exhausted = found.exhausted && in_all <= *limits.load_error;
+  if (!found.exhausted) found.design.reset();
+  return found;
+}
+
 }  // namespace
 
 SearchResult best_by_choices(const SearchTask& asked) {
@@ -158,8 +180,16 @@ SearchResult best_by_choices(const SearchTask& asked) {
 SearchResult best_design(const SearchTask& asked) {
   const SearchTask task = posed_for_its_limits(asked);
   const FirstLook look = first_look(task);
-  if (!suits_tree_search(task) || (look.proof && look.proof->no_design))
-    return best_by_choices(task, look, true);
+  if (look.proof && look.proof->no_design) return best_by_choices(task, look, true);
+  if (task.limits.load_error && task.limits.load_error_in_all) {
+    SearchResult by_links = best_by_tree_of_links(task);
+    if (by_links.exhausted || by_links.proven_none) return by_links;
+    SearchResult found = best_by_choices(task, look, true);
+    found.evaluations += by_links.evaluations;
+    if (found.design) found.design->evaluations = found.evaluations;
+    return found;
+  }
+  if (!suits_tree_search(task)) return best_by_choices(task, look, true);
   SearchResult by_tree = best_by_tree(task);
   if (by_tree.exhausted || by_tree.proven_none) return by_tree;
   SearchResult found = best_by_choices(task, look, !by_tree.design);
