@@ -266,7 +266,8 @@ void check_mass(const AuditTask& task, AuditRecord& record) {
 }
 
 /// mm, what limits.load_error_in_all counts.
-double give_in_all_of(const AuditTask& task, double links, bool weighs) {
+double give_in_all_of(const AuditTask& task, double links) {
+  const bool weighs = gravity_along(task.design.load->tilt) > 0;
   const LayeredFigures found = layered_response_over(task, *task.needed, weighs);
   return std::max(links, found.error_max) + found.weight_error_max.value_or(0);
 }
@@ -282,6 +283,9 @@ void audit_loads(const AuditTask& task, AuditRecord& record) {
                         .limit = design.limits ? design.limits->load_error : std::nullopt,
                         .words = "under the load the pen gives way by"};
   const auto& layered = design.quality.layered;
+  constexpr char in_all_key[] = "limits.load_error_in_all";
+  const bool in_all = design.limits && design.limits->load_error_in_all;
+  if (in_all && !limit.limit) record.not_checked(in_all_key, "the file has no limits.load_error_mm");
   if (limit.is_absent() && !layered) return;
   const char* why = !design.material || !design.load ? "the file states no load or no material"
                     : !task.needed                   ? "this assembly mode does not reach all of the region"
@@ -292,6 +296,7 @@ void audit_loads(const AuditTask& task, AuditRecord& record) {
     if (layered && layered->weight_error_max)
       for (const char* key : {layered_weight_key, weight_rise_key}) record.not_checked(key, why);
     if (design.quality.loads && design.quality.loads->weight_error_max) record.not_checked(weight_key, why);
+    if (in_all && limit.limit) record.not_checked(in_all_key, why);
     return limit.cannot_tell(task, why, " under which it could be kept", record);
   }
   if (layered) check_layered_figures(task, *layered, record);
@@ -300,8 +305,8 @@ void audit_loads(const AuditTask& task, AuditRecord& record) {
   const PlaneResponse found = response_over(task, *task.needed, weighs);
   if (design.quality.loads) check_load_figures(*design.quality.loads, *design.load, found, record);
   const double links = most_force_at_pen(*design.load) * found.by_newton.worst;
-  const bool in_all = design.limits && design.limits->load_error_in_all;
-  limit.check(task, in_all ? give_in_all_of(task, links, weighs) : links, record);
+  limit.check(task, in_all ? give_in_all_of(task, links) : links, record);
+  if (in_all && limit.limit) record.checked(in_all_key);
 }
 
 }  // namespace kempe

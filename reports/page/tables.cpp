@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reports/drawings/blank.hpp"
+#include "reports/drawings/overload_words.hpp"
 #include "reports/page/charts.hpp"
 #include "reports/page/html_table.hpp"
 #include "reports/page/sections.hpp"
@@ -180,7 +181,7 @@ class QualityRows {
     if (in_all)
       add("Pen gives way, worst", length_text(*in_all, 5),
           limits.load_error_in_all ? at_most(*in_all, limits.load_error) : Requirement{},
-          "With pins, layers and, on a tilted table, the links' own weight: see the error budget.");
+          "With " + beside_the_links(design_) + ": see the error budget.");
     add("Load error of the links, worst", length_text(loads->error_max, 5),
         limits.load_error_in_all ? Requirement{} : at_most(loads->error_max, limits.load_error),
         fmt::format("How far the links let the pen give way under {} at the worst place of the region. "
