@@ -1,13 +1,8 @@
-// For a limit of the first order, l, the search's best design has instruments with copy errors up to q(l) l, and q falls with l. So l is moved
-// by a part of the way, in its logarithm, that a constant q would ask for, between the largest l known to keep the limit asked for and the
-// smallest known not to.
-
 #include "synthesis/search/corner_search.hpp"
-
-#include <cmath>
 
 #include "synthesis/search/best/best_design.hpp"
 #include "synthesis/search/best/improve.hpp"
+#include "synthesis/search/best/lowered_limit.hpp"
 #include "synthesis/tolerance/corner_error.hpp"
 
 namespace kempe {
@@ -35,28 +30,15 @@ std::optional<FoundDesign> found_with(const SearchTask& task, double copy_error,
 }  // namespace
 
 FoundDesign kept_at_corners(const SearchTask& task, const FoundDesign& found) {
-  std::optional<double> error = understated_error(task, found);
+  const std::optional<double> error = understated_error(task, found);
   if (!error || *error <= *task.limits.copy_error) return found;
-  const double limit = *task.limits.copy_error;
-  const CornerBudget& budget = task.budgets().corner;
-  std::optional<FoundDesign> best;
   std::uint64_t evaluations = found.evaluations;
-  double keeps = 0, breaks = found.attained.copy_error, last = breaks, told = *error;
-  for (int round = 0; round < budget.rounds && breaks - keeps > budget.near * limit && !task.stopped();
-       ++round) {
-    const double towards = last * std::pow((1 - 0.5 * budget.near) * limit / told, budget.step);
-    const double lower = towards > keeps && towards < breaks ? towards : 0.5 * (keeps + breaks);
-    const auto design = found_with(task, lower, evaluations);
-    error = design ? understated_error(task, *design) : std::nullopt;
-    const bool is_broken = error && *error > limit;
-    (is_broken ? breaks : keeps) = lower;
-    if (!design) continue;  // too low a limit
-    last = lower;
-    told = error.value_or(design->attained.copy_error);
-    if (is_broken) continue;
-    keep_better(task.goal, *design, best);
-    if (told >= (1 - budget.near) * limit) break;
-  }
+  const auto best = best_of_lowered(
+      task, *task.limits.copy_error, found.attained.copy_error, *error,
+      [&](double lower) { return found_with(task, lower, evaluations); },
+      [&](const FoundDesign& design) {
+        return understated_error(task, design).value_or(design.attained.copy_error);
+      });
   FoundDesign kept = best.value_or(found);
   kept.proven_bound = found.proven_bound;
   kept.evaluations = evaluations;

@@ -20,6 +20,7 @@
 
 #include "kinematics/parallel.hpp"
 #include "synthesis/loads/layer_offsets.hpp"
+#include "synthesis/search/best/lowered_limit.hpp"
 #include "synthesis/search/steps/prove.hpp"
 #include "synthesis/search/strategies/stock_lengths.hpp"
 #include "synthesis/search/strategies/strategy.hpp"
@@ -150,23 +151,50 @@ SearchResult best_by_choices(const SearchTask& task, const FirstLook& look, bool
   return found;
 }
 
-/// The tree's search with the limit on the load error speaking of the links alone: exhausted only if its design keeps the limit in all,
-/// and so is the best; without a design otherwise. No design for the links alone is none in all.
-SearchResult best_by_tree_of_links(const SearchTask& task) {
+/// mm, how far the pen of a design gives way with pins and layers; infinite where it cannot be stated.
+double in_all(const Spec& spec, const FoundDesign& design) {
+  const auto openings = openings_over(design.linkage, spec.region);
+  return openings ? give_in_all(spec, design.linkage, design.layers, *openings) : infinity;
+}
+
+/// Under a limit on the load error that counts pins and layers: the tree's search with one of the links alone. If its design keeps the limit
+/// in all, or if it leaves none, that is all; else the best of the designs found with lower limits of the links that keeps it, if any.
+SearchResult best_by_trees_of_links(const SearchTask& task) {
   Spec spec = task.spec();
   Requirements limits = task.limits;
   spec.limits.load_error_in_all = limits.load_error_in_all = false;
   const SearchTask links{std::make_shared<const SearchProblem>(spec, limits), task.control, limits,
                          task.goal};
   if (!suits_tree_search(links)) return {};
-  SearchResult found = best_by_tree(links);
-  if (!found.design) return found;
-  const CopyingLinkage& linkage = found.design->linkage;
-  const auto openings = openings_over(linkage, spec.region);
-  const double in_all = openings ? give_in_all(spec, linkage, found.design->layers, *openings) : infinity;
-  found.design->attained.load_error = in_all;
-  found.exhausted = found.exhausted && in_all <= *limits.load_error;
-  if (!found.exhausted) found.design.reset();
+  SearchResult result = best_by_tree(links);
+  if (!result.design) return result;
+  const double told = in_all(spec, *result.design);
+  if (told > *limits.load_error) {
+    const auto found_with = [&](double lower) {
+      Requirements lowered = limits;
+      lowered.load_error = lower;
+      SearchResult found = best_by_tree(links.with(lowered, task.goal));
+      result.evaluations += found.evaluations;
+      return std::move(found.design);
+    };
+    result.design =
+        best_of_lowered(task, *limits.load_error, result.design->attained.load_error, told, found_with,
+                        [&](const FoundDesign& design) { return in_all(spec, design); });
+    result.exhausted = false;
+    result.stopped = task.stopped();
+  }
+  if (result.design) result.design->attained.load_error = in_all(spec, *result.design);
+  return result;
+}
+
+/// The better of a search's design and one known before it.
+SearchResult with_known(const SearchTask& task, SearchResult found, const SearchResult& known) {
+  keep_better(task.goal, known.design, found.design);
+  found.evaluations += known.evaluations;
+  if (found.design) {
+    found.design->evaluations = found.evaluations;
+    found.design->complete = !found.stopped;
+  }
   return found;
 }
 
@@ -182,24 +210,16 @@ SearchResult best_design(const SearchTask& asked) {
   const FirstLook look = first_look(task);
   if (look.proof && look.proof->no_design) return best_by_choices(task, look, true);
   if (task.limits.load_error && task.limits.load_error_in_all) {
-    SearchResult by_links = best_by_tree_of_links(task);
-    if (by_links.exhausted || by_links.proven_none) return by_links;
-    SearchResult found = best_by_choices(task, look, true);
-    found.evaluations += by_links.evaluations;
-    if (found.design) found.design->evaluations = found.evaluations;
-    return found;
+    const SearchResult by_links = best_by_trees_of_links(task);
+    // Among obstacles the search of every choice takes a hundred times as long.
+    const bool is_enough = by_links.design && !task.space().obstacles().empty();
+    if (by_links.exhausted || by_links.proven_none || is_enough) return by_links;
+    return with_known(task, best_by_choices(task, look, !by_links.design), by_links);
   }
   if (!suits_tree_search(task)) return best_by_choices(task, look, true);
   SearchResult by_tree = best_by_tree(task);
   if (by_tree.exhausted || by_tree.proven_none) return by_tree;
-  SearchResult found = best_by_choices(task, look, !by_tree.design);
-  keep_better(task.goal, by_tree.design, found.design);
-  found.evaluations += by_tree.evaluations;
-  if (found.design) {
-    found.design->evaluations = found.evaluations;
-    found.design->complete = !found.stopped;
-  }
-  return found;
+  return with_known(task, best_by_choices(task, look, !by_tree.design), by_tree);
 }
 
 }  // namespace kempe

@@ -27,11 +27,12 @@ SearchResult told_with(std::optional<double> bound, const std::optional<ProvenBo
 /// True if a limit that the bound does not know of, or only in part, is met exactly: that, and no better design, may be what lies between
 /// design and bound.
 bool is_held_back(const SearchTask& task, const FoundDesign& design) {
-  const auto is_met = [](const std::optional<double>& limit, double attained) {
-    return limit && attained > *limit * (1 - slack::met_exactly);
+  const auto is_met = [](const std::optional<double>& limit, double attained, double near) {
+    return limit && attained > *limit * (1 - near);
   };
-  return is_met(task.limits.load_error, design.attained.load_error) ||
-         is_met(task.limits.sag, design.attained.sag);
+  const double near = task.limits.load_error_in_all ? 2 * task.budgets().lowered.near : slack::met_exactly;
+  return is_met(task.limits.load_error, design.attained.load_error, near) ||
+         is_met(task.limits.sag, design.attained.sag, slack::met_exactly);
 }
 
 /// What no design with the limit on the load error beats: a yardstick for the search, which is not told (proven_bound.hpp). No closer to

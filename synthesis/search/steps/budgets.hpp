@@ -196,11 +196,11 @@ struct DiagnosisBudget {
   std::size_t single_obstacles = 12;  ///< looked at one by one; more of them only all together
 };
 
-/// Of designs that keep the limit on the copy error beyond the first order (corner_search.hpp).
-struct CornerBudget {
+/// Of designs that keep a limit in another figure than the search's (lowered_limit.hpp).
+struct LoweredLimitBudget {
   int rounds = 8;      ///< searches with a lower limit
   double step = 0.7;   ///< share of the way, in the limit's logarithm, of one search to the next
-  double near = 0.01;  ///< share of the limit: a design whose copy error comes so near to it will do
+  double near = 0.01;  ///< share of the limit: a design whose figure comes so near to it will do
 };
 
 /// Of robust designs (robust_search.hpp).
@@ -237,7 +237,7 @@ struct SearchBudgets {
   ImproveBudget improve{};
   StockBudget stock{};
   DiagnosisBudget diagnosis{};
-  CornerBudget corner{};
+  LoweredLimitBudget lowered{};
   RobustBudget robust{};
   TimeShares time{};
 };

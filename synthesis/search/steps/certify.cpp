@@ -45,17 +45,16 @@ double shortfall(const Requirements& limits, const DesignCheck& check) {
   }
 }
 
-/// By how much the links' load error is to fall for the pen to keep its limit in all. What pins and layers add falls with it: at first
-/// as if in proportion, which is nearly enough; then as if it stayed, which is enough.
+/// By how much the limit on the links' load error is to fall for the pen to keep its limit in all, from what the links of a design have. What
+/// pins and layers add falls with it: at first as if in proportion, which is nearly enough; then as if it stayed, which is enough.
 double links_shortfall(const DesignProblem& problem, const Requirements& limits, const DesignCheck& check,
                        int repairs) {
   constexpr int in_proportion = 4;
   constexpr double a_little_more = 1.01;
-  const double in_all = check.attained.load_error, limit = *limits.load_error;
-  const double excess = repairs < in_proportion
-                            ? *problem.limits().load_error * (1 - limit / in_all) * a_little_more
-                            : in_all - limit;
-  return excess / slack::tightening_factor;
+  const double in_all = check.attained.load_error, limit = *limits.load_error,
+               links = check.load_error_of_links;
+  const double less = repairs < in_proportion ? links * (1 - limit / in_all) * a_little_more : in_all - limit;
+  return (*problem.limits().load_error - (links - less)) / slack::tightening_factor;
 }
 
 /// The broken limit demanded more strictly from now on; false if that one cannot be. `repairs`: so far.

@@ -29,18 +29,19 @@ void measure_lengths(const CopyingLinkage& linkage, Attained& attained) {
 }
 
 void measure_over_openings(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers,
-                           const OpeningInterval& needed, Attained& attained) {
+                           const OpeningInterval& needed, Attained& attained, double& load_error_of_links) {
   attained.transmission =
       std::min(linkage.transmission_angle(needed.lower), linkage.transmission_angle(needed.upper));
   attained.clearance = smallest_gap_over(linkage, spec.links.style, layers, needed).gap;
   if (spec.tolerance)
     attained.copy_error =
         copy_error_profile(linkage, CopyTolerance::uniform(*spec.tolerance)).largest(needed).worst.worst;
-  if (spec.load && spec.material)
-    attained.load_error = spec.limits.load_error_in_all
-                              ? give_in_all(spec, linkage, layers, needed)
-                              : load_error_profile(spec, linkage.k(), linkage.grounding())
-                                    .worst_over({linkage.VA(), linkage.VB()}, needed);
+  if (spec.load && spec.material) {
+    load_error_of_links = load_error_profile(spec, linkage.k(), linkage.grounding())
+                              .worst_over({linkage.VA(), linkage.VB()}, needed);
+    attained.load_error =
+        spec.limits.load_error_in_all ? give_in_all(spec, linkage, layers, needed) : load_error_of_links;
+  }
   if (spec.limits.sag && spec.material)
     attained.sag = largest_sag(linkage, sag_conditions(spec, layers), needed).sag.most();
 }
@@ -95,7 +96,7 @@ DesignCheck check_design(const Spec& spec, const Requirements& limits, const Cop
   if (limits.copy_gap) check.attained.copy_gap = copy_gap(spec, linkage);
   if (const auto needed = openings_over(linkage, spec.region)) {
     check.needed = *needed;
-    measure_over_openings(spec, linkage, layers, *needed, check.attained);
+    measure_over_openings(spec, linkage, layers, *needed, check.attained, check.load_error_of_links);
     check.opening = certified_opening(spec, limits, linkage, layers, *needed);
   }
   check.broken = first_broken(spec, limits, linkage, check);

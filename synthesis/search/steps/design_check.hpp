@@ -13,6 +13,7 @@ struct DesignCheck {
   OpeningInterval needed{};    ///< openings that covering the region needs; empty if it cannot be reached
   OpeningInterval opening{};   ///< certified: transmission and self-contact kept; holds `needed` if feasible
   Attained attained{};         ///< copy_error 0 without [tolerance]; footprint not measured
+  double load_error_of_links = 0;  ///< mm, also where attained.load_error has pins and layers in it
 };
 
 /// Obstacles are not looked at (obstacle_check.hpp). A limit that is met up to slack::limit_rounding of itself

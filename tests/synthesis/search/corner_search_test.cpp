@@ -13,7 +13,7 @@ std::optional<FoundDesign> found_in_rounds(const Spec& spec, int rounds) {
   SearchOptions options;
   options.threads = 1;
   options.diagnose = false;
-  options.budgets.corner.rounds = rounds;
+  options.budgets.lowered.rounds = rounds;
   const SearchOutcome outcome = synthesize(spec, options);
   const auto* design = std::get_if<FoundDesign>(&outcome);
   return design ? std::optional(*design) : std::nullopt;
@@ -38,7 +38,7 @@ TEST(CornerSearch, TheLimitOnTheCopyErrorIsKeptBeyondTheFirstOrder) {
     const auto nominal = found_in_rounds(spec, 0);
     if (!nominal) continue;
     const double limit = *spec.limits.copy_error, worst = worst_instrument(spec, *nominal);
-    const auto design = found_in_rounds(spec, SearchBudgets{}.corner.rounds);
+    const auto design = found_in_rounds(spec, SearchBudgets{}.lowered.rounds);
     ASSERT_TRUE(design) << i;
     EXPECT_LE(design->attained.copy_error, limit * (1 + 1e-9)) << i;
     ASSERT_EQ(design->proven_bound, nominal->proven_bound) << i;

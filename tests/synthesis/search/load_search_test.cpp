@@ -17,6 +17,7 @@
 #include "synthesis/search/steps/design_check.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
+#include "tests/synthesis/shipped_spec.hpp"
 #include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
 
@@ -283,6 +284,27 @@ TEST(LoadSearch, KeepsALimitInAll) {
       EXPECT_GE(held.value, 0.9 * on_a_grid);
       spec.limits.load_error_in_all = false;
       EXPECT_LT(design_for(spec).value, held.value);  // the links alone keep it with less
+    }
+  }
+}
+
+/// Where pins and layers are most of what the pen gives, the first designs lie far inside the limit of the links.
+TEST(LoadSearch, ALooserLimitInAllIsNoWorse) {
+  for (const char* name : {"half-turn", "shop-reducer", "matlab-circle"}) {
+    SCOPED_TRACE(name);
+    Spec spec = in_steel(test::shipped_spec(name));
+    const FoundDesign free = design_for(spec);
+    const double all =
+        give_in_all(spec, free.linkage, free.layers, *openings_over(free.linkage, spec.region));
+    spec.limits.load_error_in_all = true;
+    double before = free.value;
+    for (const double share : {0.999, 0.98, 0.9}) {
+      spec.limits.load_error = share * all;
+      const FoundDesign held = design_for(spec);
+      EXPECT_LE(held.attained.load_error, *spec.limits.load_error * (1 + 1e-9));
+      EXPECT_GE(held.value, before * (1 - 1e-4)) << share;
+      EXPECT_LE(held.value, before * 1.05) << share;
+      before = held.value;
     }
   }
 }
