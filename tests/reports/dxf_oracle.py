@@ -69,7 +69,7 @@ def expected_area(link, width):
     a, b, c = sides  # corner-C, corner-tip, C-tip
     half = (a + b + c) / 2
     triangle = math.sqrt(max(0.0, half * (half - a) * (half - b) * (half - c)))
-    if triangle < 1e-9 * half * half:  # straight
+    if min(half - a, half - b, half - c) < 1e-9 * half:  # straight; its area would be the root of rounding
         return max(sides) * width + math.pi * r * r, 1e-6
     if link["style"] == "triangle":
         return triangle + 2 * half * r + math.pi * r * r, 1e-6
