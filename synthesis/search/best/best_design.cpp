@@ -210,7 +210,7 @@ SearchResult best_design(const SearchTask& asked) {
   const FirstLook look = first_look(task);
   if (look.proof && look.proof->no_design) return best_by_choices(task, look, true);
   if (task.limits.load_error && task.limits.load_error_in_all) {
-    const SearchResult by_links = best_by_trees_of_links(task);
+    SearchResult by_links = best_by_trees_of_links(task);
     // Among obstacles the search of every choice takes a hundred times as long.
     const bool is_enough = by_links.design && !task.space().obstacles().empty();
     if (by_links.exhausted || by_links.proven_none || is_enough) return by_links;
