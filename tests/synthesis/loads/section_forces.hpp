@@ -26,7 +26,8 @@ struct Piece {
 /// Joins two links, or (other < 0) a link and the ground.
 struct Join {
   int joint, link, other;
-  double stiffness;  ///< N mm/rad
+  double stiffness;                                 ///< N mm/rad
+  Eigen::Vector2d tilt = Eigen::Vector2d::Zero();  ///< rad about x and y: so it lies within its play
 };
 
 /// Loads a link at one of its joints, N mm about x and y.
@@ -65,6 +66,8 @@ class LeastEnergy {
       for (const int axis : {1, 2}) {
         const auto at = static_cast<Eigen::Index>(3 * i) + axis;
         matrix_(at, at) += 1 / it_.joins[i].stiffness;
+        for (const bool mirrored : {false, true})
+          matrix_(mirrored ? unknowns_ : at, mirrored ? at : unknowns_) += it_.joins[i].tilt[axis - 1];
       }
     const Eigen::Index n = unknowns_;
     Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + rows, n + rows);
