@@ -1,18 +1,17 @@
 #!/usr/bin/env python3
-"""Loads against two structural programs by other people: anaStruct (frames in the plane) and PyNite (frames in space), which are installed
-from the Python package index into a folder of their own when this starts.
+"""Loads against two structural programs by other people: anaStruct (frames in the plane) and PyNite (frames in space). scripts/bootstrap tests
+installs what structural_programs.txt names from the Python package index into build/structural-programs; its Python runs this.
 
 Twenty designs, of all groundings, straight and bent, of several materials and sections. From each design.json alone: joints, who holds what,
 section, modulus; each program solves the frame at openings all over those that the region uses. Compared are the most and the least that the
 pen gives way and the hand's force, with PyNite also the largest force in a pin, and out of the plane the sag, by weight and by play. They
 must agree to 0.1 %.
 
-usage: frames.py KEMPE [FOLDER]      FOLDER: where the programs are installed (build/frames-venv if left out); exit 1 if a figure is off
+usage: structural_programs_test.py KEMPE      exit 1 if a figure is off
 """
 import cmath
 import json
 import math
-import os
 import pathlib
 import subprocess
 import sys
@@ -46,15 +45,6 @@ TASKS = [
     (1.2, -30, "pen", (25, 8), "birch plywood", 30, (200, -60, 120, 120)),
     (1, 90, "pole", (15, 5), "aluminium", 10, (100, 50, 80, 60)),
 ]
-
-
-def enter_environment(folder):
-    """Runs this again by the Python of the folder, with the two programs in it."""
-    python = folder / "bin" / "python"
-    if not python.exists():
-        subprocess.run([sys.executable, "-m", "venv", folder], check=True)
-        subprocess.run([python, "-m", "pip", "install", "--quiet", "anastruct==1.7.0", "PyNiteFEA==3.2.0"], check=True)
-    os.execv(python, [str(python), __file__, *sys.argv[1:], "--inside"])
 
 
 def carried(number):
@@ -398,14 +388,12 @@ def design_of(kempe, number, folder):
     spec.write_text(spec_of(task, number))
     run = subprocess.run([kempe, "synthesize", spec, "-o", folder / "out", "--quiet"], capture_output=True, text=True)
     if run.returncode != 0:
-        sys.exit(f"frames.py: {task}: {run.stderr.strip()}")
+        sys.exit(f"{task}: {run.stderr.strip()}")
     return Design(json.loads((folder / "out" / "design.json").read_text()))
 
 
 def main():
     kempe = pathlib.Path(sys.argv[1]).resolve()
-    if sys.argv[-1] != "--inside":
-        enter_environment(pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else "build/frames-venv").absolute())
     warnings.filterwarnings("ignore")
     largest = {}
 
