@@ -146,15 +146,20 @@ std::vector<PieceLines> piece_lines(const GrillagePlan& plan, Complex shape, Com
 
 /// How the linkage answers while a given set of points bears on the table; rows of two: tracer, pen.
 struct LayeredErrorProfile::Bent {
-  Eigen::Matrix2d compliance, rises, reactions;                    ///< mm/N, mm/N and N/N, by the force
-  Eigen::Vector2d weighed_give, weighed_rises, weighed_reactions;  ///< mm, mm and N, by the weights
-  Eigen::MatrixX2d moments;                                        ///< N mm/N, of beam_moments, by the force
-  Eigen::VectorXd weighed_moments;                                 ///< N mm, by the weights
+  Eigen::Matrix2d compliance, rises, reactions;  ///< mm/N, mm/N and N/N, by the force
+  Eigen::Vector2d weighed_give = Eigen::Vector2d::Zero(), weighed_rises = weighed_give,
+                  weighed_reactions = weighed_give;  ///< mm, mm and N, by the weights
 
   Eigen::Vector2d give_at(const Point& force) const { return weighed_give + compliance * force; }
   Eigen::Vector2d rises_at(const Point& force) const { return weighed_rises + rises * force; }
   Eigen::Vector2d reactions_at(const Point& force) const { return weighed_reactions + reactions * force; }
   bool is_finite() const { return compliance.allFinite() && weighed_rises.allFinite(); }
+};
+
+/// What beams bear out of the plane while a given set of points bears, of beam_moments.
+struct LayeredErrorProfile::Moments {
+  Eigen::MatrixX2d by_force;   ///< N mm/N
+  Eigen::VectorXd by_weights;  ///< N mm
 };
 
 /// What the links' own weight along the table does while a given set of points bears: a column for gravity along x and along y.
@@ -169,17 +174,39 @@ class LayeredErrorProfile::Contacts {
   Contacts(const LayeredErrorProfile& of, const BarLengths& lengths, double opening,
            const SupportedStretch& under_weights)
       : of_(of), plan_(of.sag_.plan(lengths.VA, lengths.VB, opening)), couples_(couples_at(opening)),
-        lines_(piece_lines(plan_, of.shape_, of.factor_, opening)),
         resting_(set_of(of.conditions_.tracer_rests, of.conditions_.pen_rests)),
         under_weights_(set_of(under_weights.tracer_bears, under_weights.pen_bears)), lengths_(lengths),
         opening_(opening) {}
 
   unsigned set_under_weights() const { return under_weights_; }
   const Bent& under_weights() { return on(under_weights_); }
-  const Bent& under(const Point& force) { return on(bearing_under(force)); }
-  /// MPa: the largest stress in a link under a force and the weights, as they bend it.
-  double stress(const Bent& bent, Link link, const Point& force, const SectionModuli& at_joints,
-                const SectionModuli& between) const {
+  /// The points that bear: all of them are pushed, and no other one lies below the table. Only one set can do that; where rounding leaves none,
+  /// the one that is least wrong. A set that comes first and has no figures is taken, so that none are stated.
+  unsigned bearing_under(const Point& force) {
+    unsigned best = under_weights_;
+    double least = infinity;
+    for (const unsigned change : {0U, 1U, 2U, 3U}) {
+      const unsigned bearing = under_weights_ ^ change;
+      if ((change & ~resting_) != 0) continue;
+      const Bent& bent = on(bearing);
+      if (!bent.is_finite()) return bearing;
+      const Eigen::Vector2d rises = bent.rises_at(force), reactions = bent.reactions_at(force);
+      double wrong = 0;
+      for (const unsigned point : {0U, 1U})
+        if (has(resting_, point))
+          wrong = std::max(wrong, has(bearing, point) ? -reactions[point] : -rises[point]);
+      if (wrong >= least) continue;
+      best = bearing;
+      least = wrong;
+      if (wrong == 0) break;
+    }
+    return best;
+  }
+  /// MPa: the largest stress in a link under a force and the weights while these points bear.
+  double stress(unsigned bearing, Link link, const Point& force, const SectionModuli& at_joints,
+                const SectionModuli& between) {
+    const Moments& moments = moments_on(bearing);
+    if (lines_.empty()) lines_ = piece_lines(plan_, of_.shape_, of_.factor_, opening_);
     double largest = 0;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const PieceLines& piece = lines_[i];
@@ -187,7 +214,7 @@ class LayeredErrorProfile::Contacts {
       const auto along = [&](Complex line) { return as_point(line).dot(force); };
       const auto moment = [&](Eigen::Index row) {
         row += 3 * static_cast<Eigen::Index>(i);
-        return bent.weighed_moments[row] + bent.moments.row(row).dot(force);
+        return moments.by_weights[row] + moments.by_force.row(row).dot(force);
       };
       const PieceForces forces{.pull = along(piece.pull),
                                .in_plane = {along(piece.bending[0]), along(piece.bending[1])},
@@ -225,36 +252,13 @@ class LayeredErrorProfile::Contacts {
     Eigen::Vector2d give, rises;
   };
   Moved moved_by(const Point& force) {
-    const Bent &before = under_weights(), &then = under(force);
+    const Bent &before = under_weights(), &then = on(bearing_under(force));
     return {then.give_at(force) - before.weighed_give, then.rises_at(force) - before.weighed_rises};
   }
 
  private:
   static unsigned set_of(bool tracer, bool pen) { return (tracer ? 1U : 0U) | (pen ? 2U : 0U); }
   static bool has(unsigned set, unsigned point) { return (set >> point & 1U) != 0; }
-
-  /// The points that bear: all of them are pushed, and no other one lies below the table. Only one set can do that; where rounding leaves none,
-  /// the one that is least wrong. A set that comes first and has no figures is taken, so that none are stated.
-  unsigned bearing_under(const Point& force) {
-    unsigned best = under_weights_;
-    double least = infinity;
-    for (const unsigned change : {0U, 1U, 2U, 3U}) {
-      const unsigned bearing = under_weights_ ^ change;
-      if ((change & ~resting_) != 0) continue;
-      const Bent& bent = on(bearing);
-      if (!bent.is_finite()) return bearing;
-      const Eigen::Vector2d rises = bent.rises_at(force), reactions = bent.reactions_at(force);
-      double wrong = 0;
-      for (const unsigned point : {0U, 1U})
-        if (has(resting_, point))
-          wrong = std::max(wrong, has(bearing, point) ? -reactions[point] : -rises[point]);
-      if (wrong >= least) continue;
-      best = bearing;
-      least = wrong;
-      if (wrong == 0) break;
-    }
-    return best;
-  }
 
   const Bent& on(unsigned bearing) {
     std::optional<Bent>& bent = bent_[bearing];
@@ -273,19 +277,43 @@ class LayeredErrorProfile::Contacts {
     return Grillage(plan_, props);
   }
 
-  Bent bent_on(unsigned bearing) const {
+  /// The links on a set of points, and how the force bends them.
+  struct Loaded {
+    Grillage grillage;
+    Grillage::Tilted tilted;
+  };
+  const Loaded& loaded_on(unsigned bearing) {
+    std::optional<Loaded>& loaded = loaded_[bearing];
+    if (!loaded) {
+      Grillage grillage = grillage_on(bearing);
+      Grillage::Tilted tilted = grillage.tilted_by(couples_);
+      loaded.emplace(Loaded{std::move(grillage), std::move(tilted)});
+    }
+    return *loaded;
+  }
+
+  Bent bent_on(unsigned bearing) {
     const std::array<int, 2> points = this->points();
-    const Grillage grillage = grillage_on(bearing);
-    const Grillage::Tilted tilted = grillage.tilted_by(couples_);
+    const auto& [grillage, tilted] = loaded_on(bearing);
+    Bent bent{couples_.transpose() * tilted.slopes, tilted.rises(points, Eigen::all),
+              tilted.reactions(points, Eigen::all)};
+    if (resting_ == 0) return bent;  // nothing for the weights to press down
     const GrillageState weighed = grillage.loaded();
-    return {couples_.transpose() * tilted.slopes,
-            tilted.rises(points, Eigen::all),
-            tilted.reactions(points, Eigen::all),
-            couples_.transpose() * weighed.slopes,
-            weighed.rises(points),
-            weighed.reactions(points),
-            beam_moments(plan_, tilted.rises, tilted.slopes, false),
-            beam_moments(plan_, weighed.rises, weighed.slopes, true)};
+    bent.weighed_give = couples_.transpose() * weighed.slopes;
+    bent.weighed_rises = weighed.rises(points);
+    bent.weighed_reactions = weighed.reactions(points);
+    return bent;
+  }
+
+  const Moments& moments_on(unsigned bearing) {
+    std::optional<Moments>& moments = moments_[bearing];
+    if (!moments) {
+      const auto& [grillage, tilted] = loaded_on(bearing);
+      const GrillageState weighed = grillage.loaded();
+      moments.emplace(Moments{beam_moments(plan_, tilted.rises, tilted.slopes, false),
+                              beam_moments(plan_, weighed.rises, weighed.slopes, true)});
+    }
+    return *moments;
   }
 
   /// Of a newton at the pen, along x and along y, for Grillage::tilted_by.
@@ -321,11 +349,13 @@ class LayeredErrorProfile::Contacts {
   const LayeredErrorProfile& of_;
   GrillagePlan plan_;
   Eigen::MatrixX2d couples_;
-  std::vector<PieceLines> lines_;
+  std::vector<PieceLines> lines_;  ///< empty until a stress is asked for
   unsigned resting_, under_weights_;
   BarLengths lengths_;
   double opening_;
+  std::array<std::optional<Loaded>, 4> loaded_{};
   std::array<std::optional<Bent>, 4> bent_{};
+  std::array<std::optional<Moments>, 4> moments_{};
 };
 
 LayeredErrorProfile::OwnWeight LayeredErrorProfile::Contacts::own_weight(unsigned bearing) const {
@@ -400,8 +430,8 @@ double LayeredErrorProfile::most_stress(Contacts& contacts, Link link, double ho
   return most_over_directions(
       [&](double direction) {
         const Point force = as_point(std::polar(force_, direction));
-        const Bent& bent = is_linear ? contacts.under_weights() : contacts.under(force);
-        return contacts.stress(bent, link, force, at_joints, between);
+        const unsigned bearing = is_linear ? contacts.set_under_weights() : contacts.bearing_under(force);
+        return contacts.stress(bearing, link, force, at_joints, between);
       },
       is_linear ? parts_without : parts_with_contacts);
 }
@@ -473,18 +503,25 @@ void LayeredErrorProfile::for_each_part(const BarLengths& lengths, const Opening
     }
 }
 
+/// The most of one of the figures over a part; `seen`: what has been looked at there.
+double LayeredErrorProfile::most_of(const BarLengths& lengths, const OpeningInterval& part,
+                                    const SupportedStretch& stretch, double LayeredErrorAt::*figure,
+                                    std::map<double, LayeredErrorAt>& seen) const {
+  const auto value = [&](double opening) {
+    auto here = seen.find(opening);
+    if (here == seen.end()) here = seen.emplace(opening, at(lengths, opening, stretch)).first;
+    return std::isfinite(here->second.*figure) ? here->second.*figure : infinity;
+  };
+  return value(top_over(part, value));
+}
+
 std::optional<LayeredFigures> LayeredErrorProfile::over(const BarLengths& lengths,
                                                         const OpeningInterval& openings) const {
   LayeredFigures figures;
   for_each_part(lengths, openings, [&](const OpeningInterval& part, const SupportedStretch& stretch) {
     std::map<double, LayeredErrorAt> seen;
     const auto most = [&](double LayeredErrorAt::*figure) {
-      const auto value = [&](double opening) {
-        auto here = seen.find(opening);
-        if (here == seen.end()) here = seen.emplace(opening, at(lengths, opening, stretch)).first;
-        return std::isfinite(here->second.*figure) ? here->second.*figure : infinity;
-      };
-      return value(top_over(part, value));
+      return most_of(lengths, part, stretch, figure, seen);
     };
     figures.error_max = std::max(figures.error_max, most(&LayeredErrorAt::in_plane));
     figures.rise_max = std::max(figures.rise_max, most(&LayeredErrorAt::rise));
@@ -496,6 +533,15 @@ std::optional<LayeredFigures> LayeredErrorProfile::over(const BarLengths& length
   figures.weight_error_max = by_weight.in_plane;
   figures.weight_rise_max = by_weight.rise;
   return figures;
+}
+
+double LayeredErrorProfile::give_over(const BarLengths& lengths, const OpeningInterval& openings) const {
+  double most = 0;
+  for_each_part(lengths, openings, [&](const OpeningInterval& part, const SupportedStretch& stretch) {
+    std::map<double, LayeredErrorAt> seen;
+    most = std::max(most, most_of(lengths, part, stretch, &LayeredErrorAt::in_plane, seen));
+  });
+  return most;
 }
 
 LayeredErrorAt LayeredErrorProfile::by_weight_over(const BarLengths& lengths,
@@ -544,13 +590,12 @@ std::optional<LinkStresses> LayeredErrorProfile::stresses_over(const BarLengths&
 double give_in_all(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers,
                    const OpeningInterval& openings) {
   const BarLengths lengths{linkage.VA(), linkage.VB()};
-  const auto all = LayeredErrorProfile(linkage.k(), linkage.grounding(), sag_conditions(spec, layers),
-                                       most_force_at_pen(*spec.load))
-                       .over(lengths, openings);
-  if (!all) return infinity;
+  const LayeredErrorProfile profile(linkage.k(), linkage.grounding(), sag_conditions(spec, layers),
+                                    most_force_at_pen(*spec.load));
   const double links =
       load_error_profile(spec, linkage.k(), linkage.grounding()).worst_over(lengths, openings);
-  return std::max(links, all->error_max) + all->weight_error_max.value_or(0);
+  return std::max(links, profile.give_over(lengths, openings)) +
+         profile.by_weight_over(lengths, openings).in_plane;
 }
 
 }  // namespace kempe

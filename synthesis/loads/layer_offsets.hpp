@@ -15,6 +15,7 @@
 // Derivation: docs/loads.md.
 
 #include <Eigen/Core>
+#include <map>
 #include <optional>
 
 #include "synthesis/loads/load_error.hpp"
@@ -41,6 +42,8 @@ class LayeredErrorProfile {
   LayeredErrorAt at(const BarLengths& lengths, double opening) const;
   /// The most of each over an interval of openings (top_over.hpp), not empty, each at its own one; nothing where one of those looked at has no figure.
   std::optional<LayeredFigures> over(const BarLengths& lengths, const OpeningInterval& openings) const;
+  /// How far the pen gives way at most over such an interval, as over() has it; infinite where there is no figure.
+  double give_over(const BarLengths& lengths, const OpeningInterval& openings) const;
 
   /// The largest stress in each link (strength.hpp), each at its own opening and direction of the force: in the plane by the force, out of
   /// it by its couples and the weights; on a tilted table with the largest by the links' own weight along it, over all turns, added. `hole`: mm, the diameter that every joint takes of its link. Nothing where moments lose their digits.
@@ -66,9 +69,12 @@ class LayeredErrorProfile {
 
  private:
   struct Bent;
+  struct Moments;
   struct OwnWeight;
   class Contacts;
   LayeredErrorAt at(const BarLengths& lengths, double opening, const SupportedStretch& under_weights) const;
+  double most_of(const BarLengths& lengths, const OpeningInterval& part, const SupportedStretch& stretch,
+                 double LayeredErrorAt::*figure, std::map<double, LayeredErrorAt>& seen) const;
   Eigen::Matrix2d upright(const BarLengths& lengths, double opening) const;
   double most_stress(Contacts& contacts, Link link, double hole) const;
   template <class Look>
