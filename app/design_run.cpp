@@ -150,9 +150,13 @@ std::string relaxation_line(const Relaxation& relaxation, SpecUnit unit) {
   const CopyingLinkage& linkage = relaxation.design.linkage;
   const int d = decimals_for(linkage) + (unit == SpecUnit::inch ? 1 : 0);
   const double share = 1 / in_mm(unit);
-  return fmt::format("  {0}: VA = {1:.{3}f} {4}, VB = {2:.{3}f} {4}, {5} at the vertex, pole {6} {4}\n",
+  const auto& section = relaxation.design.section;
+  return fmt::format("  {0}: {7}VA = {1:.{3}f} {4}, VB = {2:.{3}f} {4}, {5} at the vertex, pole {6} {4}\n",
                      relaxation.sentence, share * linkage.VA(), share * linkage.VB(), d, name(unit),
-                     name(linkage.grounding()), place_text(share * linkage.pole(), d));
+                     name(linkage.grounding()), place_text(share * linkage.pole(), d),
+                     section ? fmt::format("links of {:.4g} x {:.4g} {}, ", share * section->width,
+                                           share * section->thickness, name(unit))
+                             : "");
 }
 
 std::string ratio_line(const Design& design) {
@@ -251,7 +255,7 @@ std::string loads_lines(const Design& design) {
     const auto whole = give_in_all(design.quality);
     text += fmt::format("load         {:g} N {}at the pen: it gives way by ", design.load->pen_force,
                         weight > 0 ? fmt::format("and {:.3g} N of weight ", weight) : "");
-    const std::string allowed = limit ? fmt::format(" (limit {:.4g})", *limit) : "";
+    const std::string allowed = limit ? fmt::format(" (limit {:.4g} mm)", *limit) : "";
     const bool in_all = design.limits.load_error_in_all;
     if (whole)
       text += fmt::format("{:.4g} mm at worst{}, with {}\n             and by ", *whole,
@@ -263,9 +267,10 @@ std::string loads_lines(const Design& design) {
           "             limits.load_error_mm speaks of the links alone: with {} it is exceeded;\n"
           "             limits.load_error_in_all = true counts them\n",
           beside_the_links(design));
-    text += fmt::format("             the hand holds {} N against it, the worst pin bears {} N{}\n",
-                        three_digits(loads->hand_force_max), three_digits(loads->pin_force_max),
-                        loads->weight_error_max ? " with the links' own weight" : "");
+    text +=
+        fmt::format("             the hand holds {} N against the pen's force, the worst pin bears {} N{}\n",
+                    three_digits(loads->hand_force_max), three_digits(loads->pin_force_max),
+                    loads->weight_error_max ? " with the links' own weight" : "");
     text += "             " + stress_words(design) + "\n";
   }
   if (design.quality.mass)
@@ -322,7 +327,7 @@ std::string summary_text(const Design& design, SpecUnit unit, const std::filesys
   if (design.search)
     text +=
         reach_line(design.search->obstacles_out_of_reach.size()) + objective_line(*design.search, decimals);
-  text += bound_line(design);
+  text += keys_in(unit, bound_line(design));
   text += fmt::format("size         {:.{}f} mm: half the perimeter round each link's joints, summed\n",
                       q.size, decimals);
   text += transmission_line(design) + opening_line(design.opening);

@@ -27,18 +27,21 @@ std::string sag_line(const Design& design) {
                  "their digits\n"
                : "";
   const bool plays = design.tolerance && design.tolerance->play > 0;
+  const std::string allowed = design.limits.sag ? fmt::format(" (limit {:.4g} mm)", *design.limits.sag) : "";
   if (stands_upright(design))
-    return plays ? fmt::format("sag          {:.4g} mm at most at tracer and pen, by play\n",
-                               *design.quality.sag)
+    return plays ? fmt::format(
+                       "sag          {:.4g} mm at most at tracer and pen, at right angles to the table, by "
+                       "play{}\n",
+                       *design.quality.sag, allowed)
                  : "sag          none: on an upright table nothing sinks by its weight\n";
   const double sag = *design.quality.sag > no_drop ? *design.quality.sag : 0;
-  return fmt::format("sag          {:.4g} mm at most at tracer and pen, by weight{}\n", sag,
-                     plays ? " and play" : "");
+  return fmt::format("sag          {:.4g} mm at most at tracer and pen, by weight{}{}\n", sag,
+                     plays ? " and play" : "", allowed);
 }
 
 std::string balance_lines(const Feel& feel, double tilt) {
   std::string text = fmt::format(
-      "weight       the hand holds up to {:.3g} N besides, on the table tilted by {:.4g} degrees\n",
+      "weight       the hand holds up to {:.3g} N of weight besides, on the table tilted by {:.4g} degrees\n",
       feel.weight_most, degrees(tilt));
   text += "balance      " + words(feel.counterweights[0]) + "\n             " +
           words(feel.counterweights[1]) + "\n";
@@ -57,7 +60,7 @@ std::string parts_of(const ErrorBudget& budget, bool in_plane) {
   return fmt::format("{:.3g} mm at worst:{}", budget.sum(in_plane), text);
 }
 
-/// "VA to ±0.025 mm (all of it 0.53 -> 0.48 mm)"; "" for none.
+/// "VA to ±0.025 mm (0.53 -> 0.48 mm)"; "" for none.
 std::string help_words(const std::optional<BestChange>& best) {
   if (!best) return "";
   return fmt::format("{}{} ({:.3g} -> {:.3g} mm)", best->change.words,
@@ -85,18 +88,23 @@ std::string weight_lines(const Design& design) {
 std::string budget_lines(const Design& design) {
   const auto budget = error_budget(design);
   if (!budget) return "";
+  const bool tilted = design.load->tilt > 0;
   std::string text = "budget       in the plane " + parts_of(*budget, true) + "\n";
   if (!budget->states_layers)
     text += "             what the layers add is not stated: two joints of a link are too near each other\n";
   if (budget->sum(false) > 0)
-    text += std::string("             ") + (budget->pulls() ? "down or up " : "down ") +
-            parts_of(*budget, false) + "\n";
+    text += fmt::format("             {} {}\n",
+                        tilted            ? "at right angles to the table"
+                        : budget->pulls() ? "down or up"
+                                          : "down",
+                        parts_of(*budget, false));
   const std::string give = help_words(budget->best_against_give),
                     in_plane = help_words(budget->best_in_plane), down = help_words(budget->best_down);
   auto add = [&, first = true](const std::string& against, const std::string& words) mutable {
     if (words.empty()) return;
-    text += fmt::format("             {} {}: {}\n", std::exchange(first, false) ? "most would help" : "and",
-                        against, words);
+    text += fmt::format("             {} {}: {}\n",
+                        std::exchange(first, false) ? "with these lengths most would help" : "and", against,
+                        words);
   };
   add("against giving way", give);
   if (!budget->is_one_change_for_both()) add("in the plane", in_plane);

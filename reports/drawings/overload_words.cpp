@@ -7,12 +7,9 @@
 
 #include "geometry/fixed_text.hpp"
 #include "synthesis/design/error_budget.hpp"
-#include "synthesis/loads/gravity.hpp"
-#include "synthesis/loads/link_forces.hpp"
-#include "synthesis/loads/plane_weight.hpp"
+#include "synthesis/design/other_sections.hpp"
 #include "synthesis/loads/sag.hpp"
 #include "synthesis/loads/strength.hpp"
-#include "synthesis/loads/top_over.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {
@@ -47,20 +44,7 @@ double largest_stress(const Design& design) {
   return layered && layered->stress_max ? std::max(in_plane, *layered->stress_max) : in_plane;
 }
 
-double largest_push_in_bars(const Design& design) {
-  const auto openings = openings_over(design.linkage, design.region);
-  if (!design.load || !openings) return 0;
-  const CopyingLinkage& linkage = design.linkage;
-  const PlaneWeight weight(linkage.k(), linkage.grounding(), design.style,
-                           design.material.value_or(Material{}), design.load->tilt);
-  const double force = most_force_at_pen(*design.load);
-  const auto push = [&](double opening) {
-    const PinForces forces = force * pin_forces(linkage.k(), linkage.grounding(), opening) +
-                             weight.pin_forces({linkage.VA(), linkage.VB()}, opening);
-    return std::max(forces.A, forces.B);
-  };
-  return push(top_over(*openings, push));
-}
+double largest_push_in_bars(const Design& design) { return largest_push_in_bars(design, design.style); }
 
 double buckling_load_of_bars(const Design& design) {
   return buckling_load(design.style, *design.material, std::max(design.linkage.VA(), design.linkage.VB()));
@@ -72,15 +56,20 @@ std::vector<std::string> overload_words(const Design& design) {
   const Material& material = *design.material;
   const double stress = largest_stress(design);
   if (!std::isfinite(stress))
-    words.push_back("the links break: a hole leaves nothing of a link");
+    words.push_back("the links yield or break: a hole leaves nothing of a link");
   else if (stress > material.strength)
-    words.push_back(fmt::format("the links break: they are stressed to {} MPa, and {} bears {} MPa",
+    words.push_back(fmt::format("the links yield or break: they are stressed to {} MPa, and {} bears {} MPa",
                                 three_digits(stress), material.name, three_digits(material.strength)));
   const double push = largest_push_in_bars(design), buckling = buckling_load_of_bars(design);
   if (push > buckling)
     words.push_back(
         fmt::format("the bars buckle: they are pushed with {} N, and {} N are enough to buckle them",
                     three_digits(push), three_digits(buckling)));
+  if (words.empty()) return words;
+  if (const auto style = section_that_bears(design))
+    words.push_back(
+        fmt::format("links of {} would bear it{}", section_words(*style),
+                    keeps_the_rest(design, *style, design.hardware) ? "" : ", with other lengths"));
   return words;
 }
 

@@ -20,7 +20,7 @@ double largest_push_in_bars(const Design& design);
 double buckling_load_of_bars(const Design& design);
 
 /// A sentence each: a hole that leaves nothing of a link; links stressed beyond the material's strength; bars pushed beyond their buckling
-/// load. Empty where the instrument bears its load, and without a load.
+/// load; then which section would bear it, if one does. Empty where the instrument bears its load, and without a load.
 std::vector<std::string> overload_words(const Design& design);
 
 /// That links bend so far that figures of small bending are no longer right; nothing where they do not, and without a load.

@@ -13,7 +13,7 @@ namespace kempe {
 namespace {
 
 constexpr double chart_width = 420, chart_height = 260;
-constexpr double left = 58, right = 24, top = 14, bottom = 46;
+constexpr double left = 70, right = 24, top = 14, bottom = 46;
 
 /// From one tick to another, with room for a single value.
 Axis whole_axis(double lower, double upper, double from, double to) {
@@ -35,7 +35,7 @@ std::string frame(const Axis& x, const Axis& y, const std::string& x_name, const
   }
   for (const double value : y.ticks()) {
     lines += fmt::format("M{:.1f},{:.1f}H{:.1f}", x.from, y.at(value), x.to);
-    figures += text(x.from - 6, y.at(value) + 4, "tick end", multiple_text(value, y.step, 6));
+    figures += text(x.from - 6, y.at(value) + 4, "tick end", multiple_text(value, y.step, 4));
   }
   const std::string beside = fmt::format("translate(12,{:.1f}) rotate(-90)", y.to);
   return svg_shape("grid-line", lines).line() + figures + text(x.to, y.from + 36, "tick end", x_name) +

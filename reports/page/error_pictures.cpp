@@ -111,9 +111,7 @@ std::string circle_words(const ContourCircle& circle, const std::string& level, 
 }
 
 std::string range_text(const Course& course) {
-  const auto digits = [](double value) { return value < 0.01 ? 5 : value < 0.1 ? 4 : 3; };
-  const std::string least = length_text(course.least(), digits(course.least())),
-                    most = length_text(course.most(), digits(course.most()));
+  const std::string least = error_length(course.least()), most = error_length(course.most());
   return least == most ? most + " everywhere" : least + " to " + most;
 }
 
@@ -181,7 +179,7 @@ std::string error_pictures(const Design& design) {
   const auto give = [&](double opening) { return course.give(opening); };
   const bool weighs = gravity_along(design.load->tilt) > 0;
   std::vector<Panel> panels{
-      {"give", weighs ? "Load, own weight, pins and layers" : "Load, pins and layers", give}};
+      {"give", weighs ? "Load and own weight, with pins and layers" : "Load, with pins and layers", give}};
   if (design.tolerance) {
     panels.insert(panels.begin(), {"made", "Lengths and play", tolerances});
     panels.push_back({"in-plane", "All in the plane",
@@ -190,8 +188,10 @@ std::string error_pictures(const Design& design) {
   panels.push_back({"sag", "Sag", [&](double opening) { return course.sag(opening); }});
   std::string figures;
   for (const Panel& panel : panels) figures += panel_figure(design, panel);
-  const std::string own_weight =
-      weighs ? "The links' own weight along the table is that of the worst turn of the linkage. " : "";
+  const std::string own_weight = weighs ? "The links' own weight along the table pulls in the worst "
+                                          "direction, whether the region uses that "
+                                          "or not. "
+                                        : "";
   return "<div class=\"panels\">" + figures +
          "</div>\n<p class=\"note\">The error with the tracer at each place of the region, in the worst "
          "direction; darker is more, each picture on its own scale. The load error is that of links, "

@@ -8,6 +8,8 @@
 #include "reports/page/web_assets.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "reports/pictures/map_picture.hpp"
+#include "specs/spec_reader.hpp"
+#include "specs/unit_words.hpp"
 
 namespace kempe {
 namespace {
@@ -35,11 +37,12 @@ std::string html_report(const Design& design, const ReportExtras& extras) {
 
 std::string html_report(const Design& design, const ReportExtras& extras, const MapPicture& picture) {
   namespace section = report_sections;
+  const SpecUnit unit = unit_of_spec(extras.spec_text);
   std::string body = section::header(design, extras) + section::pareto(extras) +
                      section::key_figures(design) + section::map(picture, report_is_live());
-  body += section::making(design) + section::parts(design, extras) + section::quality(design, extras) +
-          section::workspace(design);
-  body += section::loads(design) + section::weight(design) + section::tolerance(design) +
+  body += section::making(design) + section::parts(design, extras) +
+          keys_in(unit, section::quality(design, extras)) + section::workspace(design);
+  body += keys_in(unit, section::loads(design) + section::weight(design) + section::tolerance(design)) +
           section::verification(design) + section::search(design);
   body += section::spec(extras);
   std::string page = head(design, extras) + "<body>\n<main>\n" + body + "</main>\n" +

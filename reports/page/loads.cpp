@@ -34,10 +34,6 @@ std::string pull_words(const Load& load) {
          " at the pen";
 }
 
-std::string small_length(double length) {
-  return length_text(length, length < 0.01 ? 5 : length < 0.1 ? 4 : 3);
-}
-
 std::string section_text(const LinkStyle& style) {
   return fmt::format("{}\u00a0×\u00a0{}", figure_text(style.width, 2), figure_text(style.thickness, 2));
 }
@@ -51,11 +47,13 @@ std::string in_html(const std::string& words) {
   return html;
 }
 
+bool is_tilted(const Design& design) { return gravity_along(design.load->tilt) > 0; }
+
 std::string source_words(const Design& design, ErrorSource source) {
   switch (source) {
     case ErrorSource::lengths: return "Lengths, ±" + length_text(design.tolerance->length);
     case ErrorSource::play: return "Play, " + length_text(design.tolerance->play) + " in each pin";
-    case ErrorSource::load: return "Load, " + pull_words(*design.load);
+    case ErrorSource::load: return "Links, bent by " + pull_words(*design.load);
     case ErrorSource::pins: return "Pins, bent between their layers";
     case ErrorSource::layers: return "Layers: links bent out of the plane";
     case ErrorSource::own_weight: return "The links' own weight along the table";
@@ -63,7 +61,8 @@ std::string source_words(const Design& design, ErrorSource source) {
     case ErrorSource::tilt: return "Tilt: pins within their play";
     case ErrorSource::pull: break;
   }
-  return "Pull: what the load lifts or lowers by the links' layers";
+  return fmt::format("Pull: what {} lifts or lowers by the links' layers",
+                     is_tilted(design) ? "the load, with the links' own weight," : "the load");
 }
 
 std::string change_words(const BudgetChange& change) {
@@ -74,7 +73,7 @@ std::string changes_text(const BudgetEntry& entry) {
   std::string text;
   for (const BudgetChange& change : entry.changes)
     text += fmt::format("{}{}: {} → {}", text.empty() ? "" : "<br>or ", change_words(change),
-                        small_length(entry.error), small_length(change.after));
+                        error_length(entry.error), error_length(change.after));
   return text;
 }
 
@@ -88,13 +87,14 @@ void add_rows(const Design& design, const ErrorBudget& budget, bool in_plane,
     any = true;
     const double share = sum > 0 ? entry.error / sum : 0;
     rows.push_back({html_escaped(source_words(design, entry.source)) + share_bar(share),
-                    figure_text(entry.error, 5), figure_text(100 * share, 1), changes_text(entry)});
+                    error_text(entry.error), figure_text(100 * share, 1), changes_text(entry)});
   }
   if (any)
-    rows.push_back({in_plane         ? "<b>In the plane, all together</b>"
-                    : budget.pulls() ? "<b>Down or up, all together</b>"
-                                     : "<b>Down, all together</b>",
-                    "<b>" + figure_text(sum, 4) + "</b>", "100", ""});
+    rows.push_back({in_plane            ? "<b>In the plane, all together</b>"
+                    : is_tilted(design) ? "<b>At right angles to the table, all together</b>"
+                    : budget.pulls()    ? "<b>Down or up, all together</b>"
+                                        : "<b>Down, all together</b>",
+                    "<b>" + error_text(sum) + "</b>", "100", ""});
 }
 
 std::string budget_table(const Design& design, const ErrorBudget& budget) {
@@ -109,11 +109,11 @@ std::string budget_table(const Design& design, const ErrorBudget& budget) {
 /// How far the pen gives way in all and by the links alone, "under 30 N at the pen it gives way by ..."; of the links alone where what the
 /// layers add is not stated.
 std::string give_figure(const Design& design) {
-  const std::string links = small_length(design.quality.loads->error_max);
+  const std::string links = error_length(design.quality.loads->error_max);
   const std::string worst = "in the worst direction at the worst place of the region";
   const auto whole = give_in_all(design.quality);
   return whole ? fmt::format("under {} it gives way by <b>{}</b> {}, with {}; by its links alone by {}",
-                             pull_words(*design.load), small_length(*whole), worst, beside_the_links(design),
+                             pull_words(*design.load), error_length(*whole), worst, beside_the_links(design),
                              links)
                : fmt::format("under {} it gives way by <b>{}</b> {}, by its links alone",
                              pull_words(*design.load), links, worst);
@@ -144,21 +144,26 @@ std::string give_verdict(const Design& design, const ErrorBudget& budget) {
   if (!design.tolerance || !whole) return fmt::format("U{}.", figure.substr(1));
   const double sum = budget.sum(true);
   return fmt::format("U{}. That is {} % of the whole error in the plane, {} at worst.", figure.substr(1),
-                     figure_text(100 * *whole / sum, 1), small_length(sum));
+                     figure_text(100 * *whole / sum, 1), error_length(sum));
 }
 
 /// What the load does beside weight and play, which the sag does not have.
-std::string pull_verdict(const Design& design) {
+std::string pull_verdict(const Design& design, const ErrorBudget& budget) {
   const auto& layered = design.quality.layered;
   if (!layered || !(layered->rise_max > no_drop)) return "";
   const std::string by_weight =
       layered->weight_rise_max && *layered->weight_rise_max > no_drop
           ? fmt::format(", the links' own weight along the table by up to <b>{}</b> more",
-                        small_length(*layered->weight_rise_max))
+                        error_length(*layered->weight_rise_max))
+          : "";
+  const std::string in_all =
+      design.limits.sag && design.quality.sag
+          ? fmt::format(" All together that is up to {}; the limit speaks of weight and play alone.",
+                        error_length(budget.sum(false)))
           : "";
   return fmt::format(
-      " The load lifts or lowers pen or tracer by up to <b>{}</b>, by the layers of the links{}.",
-      small_length(layered->rise_max), by_weight);
+      " The load lifts or lowers pen or tracer by up to <b>{}</b>, by the layers of the links{}.{}",
+      error_length(layered->rise_max), by_weight, in_all);
 }
 
 std::string sag_verdict(const Design& design) {
@@ -166,18 +171,23 @@ std::string sag_verdict(const Design& design) {
     return " How far pen or tracer sinks is not stated: two joints of a link are too near each other.";
   const double sag = *design.quality.sag;
   const auto& limit = design.limits.sag;
-  if (sag <= no_drop) return " Neither pen nor tracer sinks by weight or play.";
-  const std::string figure =
-      fmt::format("en or tracer sinks by up to <b>{}</b> by weight and play", small_length(sag));
-  return limit ? fmt::format(" Down: {}, p{}; {} are allowed.", sag <= *limit * (1 + 1e-9) ? "yes" : "no",
-                             figure, limit_text(*limit))
+  const bool tilted = is_tilted(design);
+  if (sag <= no_drop)
+    return tilted ? " Neither pen nor tracer leaves its plane by weight or play."
+                  : " Neither pen nor tracer sinks by weight or play.";
+  const bool weighs = gravity_across(design.load->tilt) > 0;
+  const std::string figure = fmt::format("en or tracer {} by up to <b>{}</b> by {}",
+                                         tilted ? "moves at right angles to the table" : "sinks",
+                                         error_length(sag), weighs ? "weight and play" : "play");
+  return limit ? fmt::format(" {}: {}, p{}; {} are allowed.", tilted ? "Out of the plane" : "Down",
+                             sag <= *limit * (1 + 1e-9) ? "yes" : "no", figure, limit_text(*limit))
                : fmt::format(" P{}: the spec sets no limit on this (limits.sag_mm).", figure);
 }
 
 std::string best_text(const std::optional<BestChange>& best) {
   if (!best) return {};
-  return fmt::format("{}: {} → {}", change_words(best->change), small_length(best->before),
-                     small_length(best->change.after));
+  return fmt::format("{}: {} → {}", change_words(best->change), error_length(best->before),
+                     error_length(best->change.after));
 }
 
 std::string what_helps(const ErrorBudget& budget) {
@@ -191,7 +201,7 @@ std::string what_helps(const ErrorBudget& budget) {
   add("against giving way", give);
   if (!budget.is_one_change_for_both()) add("against the whole error in the plane", in_plane);
   add(budget.help_out_of_plane(), down);
-  return text.empty() ? text : "<p>" + text + ".</p>\n";
+  return text.empty() ? text : "<p>" + text + ", all with these lengths.</p>\n";
 }
 
 /// What breaks, buckles or bends beyond small bending, before all else.
@@ -207,7 +217,7 @@ std::string overload(const Design& design) {
 
 std::string verdict(const Design& design, const ErrorBudget& budget) {
   return overload(design) + "<p class=\"lead\">" + give_verdict(design, budget) + sag_verdict(design) +
-         pull_verdict(design) + "</p>\n" + what_helps(budget);
+         pull_verdict(design, budget) + "</p>\n" + what_helps(budget);
 }
 
 std::string share_of_strength(double stress, double strength, const std::string& material) {
@@ -268,11 +278,14 @@ std::string forces_table(const Design& design, const OpeningInterval& openings) 
   const double strength = design.material->strength;
   const bool weighs = gravity_along(design.load->tilt) > 0;
   std::vector<std::vector<std::string>> rows{
-      {"Hand, at the tracer", force_words(design.quality.loads->hand_force_max), "the same everywhere"},
+      {"Hand, at the tracer", force_words(design.quality.loads->hand_force_max),
+       weighs ? "the same everywhere; weight and friction come on top"
+              : "the same everywhere; friction comes on top"},
       {"Pole's post", force_words(worst.pins.pole),
        weighs ? "with the links' own weight, which depends on the opening" : "the same everywhere"},
-      {"Pins A and B", force_words(std::max(worst.pins.A, worst.pins.B)), "grows towards the change points"},
-      {"Pin C", force_words(worst.pins.C), "grows towards the change points"}};
+      {"Pins A and B", force_words(std::max(worst.pins.A, worst.pins.B)),
+       "grows as VA and VB come into line"},
+      {"Pin C", force_words(worst.pins.C), "grows as VA and VB come into line"}};
   const LinkStresses& stress = worst.stresses;
   for (const auto& [link, value] : {std::pair{"Link VA", stress.VA}, std::pair{"Link VB", stress.VB},
                                     std::pair{"Link ACX", stress.ACX}, std::pair{"Link BCY", stress.BCY}})
@@ -282,23 +295,26 @@ std::string forces_table(const Design& design, const OpeningInterval& openings) 
   rows.push_back(
       {"Bars, pushed", force_words(push), push > buckling ? "<b class=\"bad\">" + bears + "</b>" : bears});
   const std::string note =
-      !std::isfinite(design.quality.loads->stress_max) ? "Links: a hole leaves nothing of one of them."
+      !std::isfinite(design.quality.loads->stress_max) ? "A hole leaves nothing of one of the links."
       : worst.counts_layers
           ? fmt::format(
-                "Links: bending and pull in the plane, which alone come to {} MPa at most, with bending "
-                "and twist out of it, by layers and weights, across the joints' holes; no peaks at "
-                "their edges.",
+                "Stress in the links: bending and pull in the plane, which alone come to {} MPa at most, and "
+                "bending and twist out of it by layers and weights, on what the joints' holes leave of the "
+                "section. Peaks at the edges of the holes are not in it.",
                 figure_text(design.quality.loads->stress_max, 2))
-          : "Links: bending and pull in the plane alone, across the joints' holes; what bends them out of it "
-            "is "
-            "not stated, for two joints of a link are too near each other.";
+          : "Stress in the links: bending and pull in the plane alone, on what the joints' holes leave of "
+            "the "
+            "section; what bends them out of it is not stated, for two joints of a link are too near each "
+            "other.";
   const std::string own_weight =
-      weighs ? " Post, pins, bars and links bear the links' own weight along the table too, the worst of all "
-               "turns of the linkage; the hand's force is without it, and with it under weight, balance and "
-               "feel."
-             : "";
-  return html_table("budget", {{"What bears"}, {"Force", true}, {"At worst"}}, rows) + "<p class=\"note\">" +
-         note + own_weight + "</p>\n";
+      weighs
+          ? " Post, pins, bars and links bear the links' own weight along the table too, as it pulls in the "
+            "worst direction, whether the region uses that or not. What the hand holds with weight and "
+            "friction stands under weight, balance and feel."
+          : "";
+  return html_table("budget", {{"What bears, at worst"}, {"Force", true}, {"Stress, or how it varies"}},
+                    rows) +
+         "<p class=\"note\">" + note + own_weight + "</p>\n";
 }
 
 /// With pins and layers, and of the links alone, for which the limit holds; where what the layers add is not stated, of the links alone in two
@@ -337,17 +353,23 @@ std::string loads(const Design& design) {
       "<p class=\"note\">Links of {}, {} mm, as slender beams, pins of steel; in the plane with pole and "
       "tracer held. {}Each source alone at its worst place, so that a sum is no less than what its sources "
       "do together at any one "
-      "place. Each change is judged with the lengths as they are; “with other lengths” stands beside one "
-      "with which they would break another limit, so that parts touch, say: then the task wants a new "
-      "design.{}</p>\n",
+      "place. Each change is judged alone, with the lengths as they are. To try one, give these lengths "
+      "under "
+      "[mechanism], change links.width_mm, links.thickness_mm, links.pin_diameter_mm, load.grip_mm or "
+      "load.rests, "
+      "and run kempe workspace; a new search may find other lengths. “With other lengths” stands beside a "
+      "change "
+      "with which these lengths would break another limit, so that parts touch, say.{}</p>\n",
       html_escaped(design.material->name), section_text(design.style),
       design.style.plate == PlateStyle::triangle
           ? "Triangular plates are taken as two arms: they are stiffer. "
           : "",
       !design.tolerance ? " The spec gives no tolerance: neither lengths nor play are in the table."
-      : design.quality.copy_error_at_corner ? " Lengths and play are taken to the first order, which "
-                                              "understates them here: see the tolerance budget."
-                                            : "");
+      : design.quality.copy_error_at_corner
+          ? " A better length or pin by itself has no key: it is for the maker. Lengths and play are taken "
+            "to the first "
+            "order, which understates them here: see the tolerance budget."
+          : " A better length or pin by itself has no key: it is for the maker.");
   const std::string html = verdict(design, *budget) + budget_table(design, *budget) + note +
                            error_pictures(design) + "<div class=\"columns\"><div>" +
                            forces_table(design, *used) + "</div><div>" + load_chart(design, *used) +

@@ -189,21 +189,20 @@ std::string copy_error_figure(const Design& design) {
 std::string load_error_figure(const Design& design) {
   if (!design.quality.loads || !design.load) return {};
   const double links = design.quality.loads->error_max, whole = give_in_all(design.quality).value_or(links);
-  const auto text = [](double error) { return length_text(error, error < 0.01 ? 4 : 3); };
   std::string note = "under " + force_text(most_force_at_pen(*design.load)) + "; ";
   const std::string limit =
       design.limits.load_error ? "limit " + limit_text(*design.limits.load_error) : std::string();
   if (design.limits.load_error_in_all) note += limit + "; ";
-  if (design.quality.layered) note += text(links) + " ";
+  if (design.quality.layered) note += error_length(links) + " ";
   note += "by its links alone";
   if (!design.limits.load_error_in_all && !limit.empty()) note += ", " + limit;
-  return html_key_figure("Gives way at worst", text(whole), note);
+  return html_key_figure("Gives way at worst", error_length(whole), note);
 }
 
 std::string sag_figure(const Design& design) {
   if (!design.quality.sag) return {};
   return html_key_figure(
-      "Sinks at worst", length_text(*design.quality.sag, 2),
+      "Sinks at worst", error_length(*design.quality.sag),
       design.limits.sag ? "limit " + limit_text(*design.limits.sag) : "by weight and play");
 }
 
@@ -211,7 +210,7 @@ std::string sag_figure(const Design& design) {
 std::string rise_figure(const Design& design) {
   const auto& layered = design.quality.layered;
   if (!layered || !(layered->rise_max > no_drop)) return {};
-  return html_key_figure("Lifted or lowered", length_text(layered->rise_max, 2),
+  return html_key_figure("Lifted or lowered", error_length(layered->rise_max),
                          "by the load at worst, beside the sag");
 }
 

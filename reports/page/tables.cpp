@@ -179,17 +179,20 @@ class QualityRows {
     const Limits& limits = design_.limits;
     const auto in_all = give_in_all(quality_);
     if (in_all)
-      add("Pen gives way, worst", length_text(*in_all, 5),
+      add("Pen gives way, worst", error_length(*in_all),
           limits.load_error_in_all ? at_most(*in_all, limits.load_error) : Requirement{},
           "With " + beside_the_links(design_) + ": see the error budget.");
-    add("Load error of the links, worst", length_text(loads->error_max, 5),
+    add("Load error of the links, worst", error_length(loads->error_max),
         limits.load_error_in_all ? Requirement{} : at_most(loads->error_max, limits.load_error),
         fmt::format("How far the links let the pen give way under {} at the worst place of the region. "
                     "Pins and layers add to it{}: see the error budget.",
                     force_text(most_force_at_pen(*design_.load)),
                     loads->weight_error_max ? ", and so does the links' own weight along the table" : ""));
     add("Largest force in a pin", force_text(loads->pin_force_max), {},
-        fmt::format("The hand holds {}.", force_text(loads->hand_force_max)));
+        fmt::format(
+            "The hand holds {} against the pen's force; weight and friction come on top: see weight, balance "
+            "and feel.",
+            force_text(loads->hand_force_max)));
   }
 
   void add_mass() {
@@ -200,7 +203,7 @@ class QualityRows {
 
   void add_sag() {
     if (!quality_.sag) return;
-    add("Sag", length_text(*quality_.sag, 3), at_most(*quality_.sag, design_.limits.sag),
+    add("Sag", error_length(*quality_.sag), at_most(*quality_.sag, design_.limits.sag),
         "How far tracer or pen sinks at most, by weight and by the play of the pins.");
   }
 

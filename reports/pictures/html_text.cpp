@@ -127,6 +127,13 @@ std::string length_text(double length, int decimals) {
   return fmt::format("{}{}mm", figure_text(length, decimals), no_break_space);
 }
 
+std::string error_text(double length) {
+  if (std::abs(length) >= 0.1 || length == 0) return number_text(length, 3);
+  return std::abs(length) >= 1e-5 ? three_digits(length) : fmt::format("{:.3g}", length);
+}
+
+std::string error_length(double length) { return fmt::format("{}{}mm", error_text(length), no_break_space); }
+
 std::string limit_text(double length) { return fmt::format("{:.6g}{}mm", length, no_break_space); }
 
 std::string force_text(double force, int decimals) {

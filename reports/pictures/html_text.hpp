@@ -34,6 +34,10 @@ std::string figure_text(double value, int decimals);
 std::string multiple_text(double value, double step, int decimals);
 /// "12.34 mm" with a no-break space, as figure_text.
 std::string length_text(double length, int decimals = 3);
+/// mm, of an error: with three decimals, below a tenth with three digits, "0.354", "0.00587", "1.04e-06".
+std::string error_text(double length);
+/// The same with its unit.
+std::string error_length(double length);
 /// A limit as it was typed, to six digits: "0.0077 mm".
 std::string limit_text(double length);
 /// "12.34 N", as figure_text.

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-#include "synthesis/design/assemble.hpp"
+#include "synthesis/design/other_sections.hpp"
 #include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/layer_offsets.hpp"
 #include "synthesis/loads/load_error.hpp"
@@ -16,28 +16,11 @@
 #include "synthesis/loads/plane_weight.hpp"
 #include "synthesis/loads/sag.hpp"
 #include "synthesis/loads/top_over.hpp"
-#include "synthesis/search/steps/design_check.hpp"
-#include "synthesis/search/steps/obstacle_check.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {
 namespace {
-
-/// Widths and thicknesses of flat bars as the trade has them, mm (EN 10058, EN 10278).
-constexpr double flat_widths[] = {6, 8, 10, 12, 15, 20, 25, 30, 40, 50, 60, 80, 100};
-constexpr double flat_thicknesses[] = {2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40};
-
-template <std::size_t size>
-double next_of(const double (&sizes)[size], double value) {
-  const auto* larger =
-      std::find_if(std::begin(sizes), std::end(sizes), [&](double one) { return one > 1.05 * value; });
-  return larger != std::end(sizes) ? *larger : 1.5 * value;
-}
-
-std::string section_words(const LinkStyle& style) {
-  return fmt::format("{:.4g} x {:.4g} mm", style.width, style.thickness);
-}
 
 std::string instead(const LinkStyle& now, const LinkStyle& before) {
   return section_words(now) + " instead of " + section_words(before);
@@ -56,6 +39,7 @@ struct Made {
 /// mm, of each source; infinite where it cannot be stated.
 struct Errors {
   std::array<double, std::size(all_sources)> mm{};
+  double give = 0;  ///< of ErrorBudget
   double& operator[](ErrorSource source) { return mm[static_cast<std::size_t>(source)]; }
   double operator[](ErrorSource source) const { return mm[static_cast<std::size_t>(source)]; }
 };
@@ -118,6 +102,7 @@ void add_layers(const Measured& measured, const SagConditions& conditions, Error
                        .over({linkage.VA(), linkage.VB()}, measured.openings);
   const double flat = errors[ErrorSource::load] + errors[ErrorSource::pins];
   errors[ErrorSource::layers] = all ? std::max(0.0, all->error_max - flat) : infinity;
+  errors.give = all ? std::max(errors[ErrorSource::load], all->error_max) : flat;
   errors[ErrorSource::pull] = all ? all->rise_max + all->weight_rise_max.value_or(0) : infinity;
 }
 
@@ -132,6 +117,7 @@ void add_loads(const Measured& measured, const SagConditions& conditions, Errors
   errors[ErrorSource::pins] = measured.give(conditions.style, measured.pins(conditions)) - rigid_pins;
   add_layers(measured, conditions, errors);
   errors[ErrorSource::own_weight] = own_weight(measured, conditions);
+  errors.give += errors[ErrorSource::own_weight];
   errors[ErrorSource::weight] = worst_drop(measured, conditions, &Drop::by_weight);
   errors[ErrorSource::tilt] = worst_drop(measured, conditions, &Drop::by_play);
 }
@@ -150,20 +136,6 @@ const SourceContribution* largest_source(const std::vector<SourceContribution>& 
   const auto best =
       std::max_element(begin, end, [](const auto& a, const auto& b) { return a.worst < b.worst; });
   return best == end || best->worst == 0 ? nullptr : &*best;
-}
-
-/// Whether a design with other links and pins of the same lengths keeps what the spec limits beside the errors themselves.
-bool keeps_the_rest(const Design& design, const SagConditions& conditions) {
-  Spec spec = spec_of(design);
-  spec.links.style = conditions.style;
-  spec.links.hardware = conditions.hardware;
-  Requirements limits = requirements_of(spec);
-  limits.load_error = limits.sag = limits.copy_error = std::nullopt;
-  const DesignCheck check = check_design(spec, limits, design.linkage, design.layers);
-  return check.feasible &&
-         (!has_obstructions(map_task(design)) || check_obstacles(spec, limits, design.linkage, design.layers,
-                                                                 check.opening, {}, SmallestGap::as_limit)
-                                                     .clear);
 }
 
 /// All that a builder might change, one at a time.
@@ -221,25 +193,26 @@ class Candidates {
     add(std::move(words), conditions);
     const Design& design = measured_.design;
     all_.back().needs_other_lengths =
-        keeps_the_rest(design, now_.conditions) && !keeps_the_rest(design, conditions);
+        keeps_the_rest(design, now_.conditions.style, now_.conditions.hardware) &&
+        !keeps_the_rest(design, conditions.style, conditions.hardware);
   }
 
   void wider() {
     SagConditions other = now_.conditions;
-    other.style.width = next_of(flat_widths, other.style.width);
+    other.style.width = next_width(other.style.width);
     add_other_parts(instead(other.style, now_.conditions.style), other);
   }
 
   void thicker() {
     SagConditions other = now_.conditions;
-    other.style.thickness = next_of(flat_thicknesses, other.style.thickness);
+    other.style.thickness = next_thickness(other.style.thickness);
     if (!measured_.design.load->grip) other.grip = other.style.thickness;
     add(instead(other.style, now_.conditions.style), other);
   }
 
   void thicker_pins() {
     SagConditions other = now_.conditions;
-    other.style.pin_diameter *= 1.25;
+    other.style.pin_diameter = next_pin_diameter(other.style.pin_diameter);
     other.hardware = {};
     add_other_parts(fmt::format("pins of {:.3g} mm", other.style.pin_diameter), other);
   }
@@ -278,37 +251,56 @@ bool is_better(const BudgetChange& a, const BudgetChange& b) {
   return std::pair(a.needs_other_lengths, a.after) < std::pair(b.needs_other_lengths, b.after);
 }
 
+/// What counts together, mm, after a change or without one, of what is stated `now`.
+struct Sums {
+  Sums(const Errors& now, const Errors& then)
+      : give(std::isfinite(now[ErrorSource::layers]) && !std::isfinite(then[ErrorSource::layers])
+                 ? infinity
+                 : then.give) {
+    for (const ErrorSource source : all_sources)
+      if (std::isfinite(now[source])) (is_in_plane(source) ? in_plane : down) += then[source];
+  }
+  double in_plane = 0, down = 0, give;
+};
+
+/// True if a change that helps against one source does not do more harm by another.
+bool helps_in_all(ErrorSource source, const Errors& now, const Errors& then) {
+  const Sums before(now, now), after(now, then);
+  if (is_give(source) && after.give > before.give) return false;
+  return is_in_plane(source) ? after.in_plane < before.in_plane : after.down < before.down;
+}
+
 /// Those that help, the best first.
-std::vector<BudgetChange> changes_of(ErrorSource source, double error,
+std::vector<BudgetChange> changes_of(ErrorSource source, const Errors& errors,
                                      const std::vector<Candidate>& candidates) {
   std::vector<BudgetChange> changes;
   for (const Candidate& one : candidates)
-    if (const double after = one.after[source]; after < (1 - least_gain) * error)
+    if (const double after = one.after[source];
+        after < (1 - least_gain) * errors[source] && helps_in_all(source, errors, one.after))
       changes.push_back({one.words, after, one.needs_other_lengths});
   std::stable_sort(changes.begin(), changes.end(), is_better);
   if (changes.size() > most_changes) changes.resize(most_changes);
   return changes;
 }
 
-/// Of those that help with any of the entries counted, the change that leaves least of their sum.
+/// Of those that help with any of the entries counted, the change that leaves least of a sum.
 template <typename IsCounted>
-std::optional<BestChange> best_change(const std::vector<BudgetEntry>& entries,
-                                      const std::vector<Candidate>& candidates, const IsCounted& is_counted) {
+std::optional<BestChange> best_change(const std::vector<BudgetEntry>& entries, const Errors& errors,
+                                      const std::vector<Candidate>& candidates, const IsCounted& is_counted,
+                                      double Sums::*sum) {
   std::optional<BestChange> best;
-  double before = 0;
-  for (const BudgetEntry& entry : entries)
-    if (is_counted(entry.source)) before += entry.error;
+  const double before = Sums(errors, errors).*sum;
   for (const Candidate& one : candidates) {
-    double after = 0, most = 0;
+    double most = 0;
     ErrorSource mostly{};
     bool helps = false;
     for (const BudgetEntry& entry : entries) {
       if (!is_counted(entry.source)) continue;
       const double here = one.after[entry.source];
-      after += here;
       helps = helps || here < (1 - least_gain) * entry.error;
       if (entry.error - here > most) most = entry.error - here, mostly = entry.source;
     }
+    const double after = Sums(errors, one.after).*sum;
     if (!helps || !(after < before)) continue;
     BestChange found{{one.words, after, one.needs_other_lengths}, before, mostly};
     if (!best || is_better(found.change, best->change)) best = std::move(found);
@@ -323,7 +315,7 @@ std::vector<BudgetEntry> entries_of(const Errors& errors, const std::vector<Cand
     const double error = errors[source];
     const bool always = source == ErrorSource::load || source == ErrorSource::pins;
     if (std::isfinite(error) && (always || error > no_drop))
-      entries.push_back({source, error, changes_of(source, error, candidates)});
+      entries.push_back({source, error, changes_of(source, errors, candidates)});
   }
   std::stable_sort(entries.begin(), entries.end(), [](const BudgetEntry& a, const BudgetEntry& b) {
     const bool a_in_plane = is_in_plane(a.source), b_in_plane = is_in_plane(b.source);
@@ -339,8 +331,8 @@ bool is_in_plane(ErrorSource source) { return source < ErrorSource::weight; }
 bool is_give(ErrorSource source) { return is_in_plane(source) && source >= ErrorSource::load; }
 
 std::string_view name(ErrorSource source) {
-  constexpr std::string_view names[] = {"lengths",    "play",   "load", "pins", "layers",
-                                        "own weight", "weight", "tilt", "pull"};
+  constexpr std::string_view names[] = {"lengths",    "play",   "links", "pins", "layers",
+                                        "own weight", "weight", "tilt",  "pull"};
   return names[static_cast<std::size_t>(source)];
 }
 
@@ -348,13 +340,6 @@ double ErrorBudget::sum(bool in_plane) const {
   double sum = 0;
   for (const BudgetEntry& entry : entries)
     if (is_in_plane(entry.source) == in_plane) sum += entry.error;
-  return sum;
-}
-
-double ErrorBudget::give() const {
-  double sum = 0;
-  for (const BudgetEntry& entry : entries)
-    if (is_give(entry.source)) sum += entry.error;
   return sum;
 }
 
@@ -368,8 +353,8 @@ bool ErrorBudget::is_one_change_for_both() const {
 }
 
 std::string_view ErrorBudget::help_out_of_plane() const {
-  return best_down && best_down->mostly == ErrorSource::pull ? "against what the load lifts or lowers"
-                                                             : "against sinking";
+  if (best_down && best_down->mostly == ErrorSource::pull) return "against what the load lifts or lowers";
+  return pulls() ? "against sinking and what the load lifts or lowers" : "against sinking";
 }
 
 bool ErrorBudget::pulls() const {
@@ -388,11 +373,14 @@ std::optional<ErrorBudget> error_budget(const Design& design) {
   add_loads(measured, now.conditions, errors);
   const std::vector<Candidate> candidates = Candidates(measured, now, errors).all();
   ErrorBudget budget{.entries = entries_of(errors, candidates),
-                     .states_layers = std::isfinite(errors[ErrorSource::layers])};
-  budget.best_in_plane = best_change(budget.entries, candidates, is_in_plane);
-  budget.best_down =
-      best_change(budget.entries, candidates, [](ErrorSource one) { return !is_in_plane(one); });
-  budget.best_against_give = best_change(budget.entries, candidates, is_give);
+                     .states_layers = std::isfinite(errors[ErrorSource::layers]),
+                     .give = errors.give};
+  const auto best = [&](const auto& is_counted, double Sums::*sum) {
+    return best_change(budget.entries, errors, candidates, is_counted, sum);
+  };
+  budget.best_in_plane = best(is_in_plane, &Sums::in_plane);
+  budget.best_down = best([](ErrorSource one) { return !is_in_plane(one); }, &Sums::down);
+  budget.best_against_give = best(is_give, &Sums::give);
   return budget;
 }
 

@@ -30,7 +30,7 @@ enum class ErrorSource {
 bool is_in_plane(ErrorSource source);
 /// True of those by which the pen gives way in the plane under the load: all in it but lengths and play.
 bool is_give(ErrorSource source);
-/// "lengths", "play", "load", "pins", "layers", "own weight", "weight", "tilt", "pull": for a person.
+/// "lengths", "play", "links", "pins", "layers", "own weight", "weight", "tilt", "pull": for a person.
 std::string_view name(ErrorSource source);
 
 /// mm: a drop or a rise no larger is rounding, and told as none.
@@ -48,14 +48,14 @@ struct BudgetChange {
 struct BudgetEntry {
   ErrorSource source;
   double error = 0;  ///< mm, of this source alone at its worst place of the region
-  /// What would help, at most three, the best first; those that need other lengths last.
+  /// What would help, at most three, the best first; those that need other lengths last. None that does more harm by another part.
   std::vector<BudgetChange> changes{};
 };
 
-/// The one change that takes most of a sum of entries away, of those that these lengths allow if any of them helps.
+/// The one change that takes most of a figure away, of those that these lengths allow if any of them helps.
 struct BestChange {
-  BudgetChange change;  ///< `after`: of the sum
-  double before = 0;    ///< mm, the sum as it is
+  BudgetChange change;  ///< `after`: of the figure
+  double before = 0;    ///< mm, the figure as it is
   ErrorSource mostly;   ///< the entry of which it takes most away
 };
 
@@ -66,15 +66,16 @@ struct ErrorBudget {
   /// False where the equations of the links' bending out of the plane lose their digits: then `layers` and `pull` are not stated, and sums lack
   /// them.
   bool states_layers = true;
-  /// What would help most: in the plane, out of it, and against what the pen gives way in the plane; absent where nothing helps.
+  /// mm, how far the pen gives way in the plane, with pins, layers and the links' own weight: the most at any one place, and so no more than the
+  /// sum of its entries. Without the layers where they are not stated.
+  double give = 0;
+  /// What would help most: against the sum in the plane, the sum out of it, and `give`; absent where nothing helps.
   std::optional<BestChange> best_in_plane{}, best_down{}, best_against_give{};
   /// mm, of the entries in the plane or of the others.
   double sum(bool in_plane) const;
-  /// mm, how far the pen gives way in the plane: load, pins, layers and the links' own weight.
-  double give() const;
   /// True if best_in_plane is best_against_give.
   bool is_one_change_for_both() const;
-  /// What best_down works against: "against sinking", or "against what the load lifts or lowers".
+  /// What best_down works against: "against sinking", "against what the load lifts or lowers", or both.
   std::string_view help_out_of_plane() const;
   /// True if the links' own weight pulls along the table.
   bool has_own_weight() const;
@@ -85,7 +86,7 @@ struct ErrorBudget {
 /// Of a design with load and material whose assembly mode reaches the region; nothing otherwise.
 std::optional<ErrorBudget> error_budget(const Design& design);
 
-/// mm, as ErrorBudget::give(), by the design's figures alone; nothing without a load, and where what the layers add is not stated.
+/// mm, as ErrorBudget::give, by the design's figures alone; nothing without a load, and where what the layers add is not stated.
 std::optional<double> give_in_all(const Quality& quality);
 
 /// The parts at single openings, for pictures; mm.

@@ -41,30 +41,34 @@ double error_of(const ErrorBudget& budget, ErrorSource source) {
   return 0;
 }
 
-std::vector<Spec> loaded_specs() {
-  std::vector<Spec> specs{test::shipped_spec("nameplate-steel"), test::shipped_spec("nameplate-pla"),
-                          test::shipped_spec("pantorouter-upright"), test::shipped_spec("micro-manipulator")};
-  Spec crowded =
-      test::shipped_spec("nameplate-pla");  // printed, in four layers: layers are most of what it gives
-  crowded.copy = Copy::of(0.5);
-  crowded.region = Region::rectangle({120, -30}, {60, 60});
-  crowded.pole.place = Point(0, 0);
-  crowded.links.sections.clear();
-  use_section(crowded.links.style, {30, 12});
-  crowded.links.style.pin_diameter = 6;
-  crowded.links.layers = 4;
-  crowded.limits.load_error.reset();
-  crowded.limits.copy_gap.reset();
-  crowded.objective.objective = Objective::size;
-  specs.push_back(crowded);
-  return specs;
+/// Found once for all tests.
+const std::vector<Design>& loaded_designs() {
+  static const std::vector<Design> designs = [] {
+    std::vector<Design> found;
+    for (const char* name : {"nameplate-steel", "nameplate-pla", "pantorouter-upright", "micro-manipulator"})
+      found.push_back(designed(test::shipped_spec(name)));
+    Spec crowded =
+        test::shipped_spec("nameplate-pla");  // printed, in four layers: layers are most of what it gives
+    crowded.copy = Copy::of(0.5);
+    crowded.region = Region::rectangle({120, -30}, {60, 60});
+    crowded.pole.place = Point(0, 0);
+    crowded.links.sections.clear();
+    use_section(crowded.links.style, {30, 12});
+    crowded.links.style.pin_diameter = 6;
+    crowded.links.layers = 4;
+    crowded.limits.load_error.reset();
+    crowded.limits.copy_gap.reset();
+    crowded.objective.objective = Objective::size;
+    found.push_back(designed(crowded));
+    return found;
+  }();
+  return designs;
 }
 
 /// A change told of a row leaves what the budget of the changed design has there.
 TEST(ErrorBudget, AChangeLeavesWhatTheChangedDesignHas) {
   int looked_at = 0;
-  for (const Spec& spec : loaded_specs()) {
-    const Design design = designed(spec);
+  for (const Design& design : loaded_designs()) {
     const auto budget = error_budget(design);
     ASSERT_TRUE(budget);
     for (const BudgetEntry& entry : budget->entries) {
@@ -86,17 +90,10 @@ TEST(ErrorBudget, AChangeLeavesWhatTheChangedDesignHas) {
 
 /// Told of a sum: no row's change leaves less of it, of those that these lengths allow.
 TEST(ErrorBudget, TheBestChangeIsTheBestOfTheSum) {
-  for (const Spec& spec : loaded_specs()) {
-    const Design design = designed(spec);
+  for (const Design& design : loaded_designs()) {
     const auto budget = error_budget(design);
     ASSERT_TRUE(budget);
-    const auto check = [&](const std::optional<BestChange>& best, const auto& is_counted) {
-      const auto sum = [&](const ErrorBudget& of) {
-        double all = 0;
-        for (const BudgetEntry& entry : of.entries)
-          if (is_counted(entry.source)) all += entry.error;
-        return all;
-      };
+    const auto check = [&](const std::optional<BestChange>& best, const auto& is_counted, const auto& sum) {
       ASSERT_TRUE(best);
       EXPECT_NEAR(best->before, sum(*budget), 1e-12 * sum(*budget));
       if (const auto other = changed(design, best->change.words)) {
@@ -110,17 +107,18 @@ TEST(ErrorBudget, TheBestChangeIsTheBestOfTheSum) {
             EXPECT_LE(best->change.after, (1 + 1e-3) * sum(*error_budget(*other))) << change.words;
           }
     };
-    check(budget->best_in_plane, is_in_plane);
-    check(budget->best_against_give, is_give);
-    check(budget->best_down, [](ErrorSource source) { return !is_in_plane(source); });
+    check(budget->best_in_plane, is_in_plane, [](const ErrorBudget& of) { return of.sum(true); });
+    check(budget->best_against_give, is_give, [](const ErrorBudget& of) { return of.give; });
+    check(
+        budget->best_down, [](ErrorSource source) { return !is_in_plane(source); },
+        [](const ErrorBudget& of) { return of.sum(false); });
   }
 }
 
 /// By the map, which shares no code with the closed forms that say it.
 TEST(ErrorBudget, AChangeNeedsOtherLengthsWhereTheMapIsNotCoveredWithIt) {
   int need = 0, do_not = 0;
-  for (const Spec& spec : loaded_specs()) {
-    const Design design = designed(spec);
+  for (const Design& design : loaded_designs()) {
     const auto budget = error_budget(design);
     ASSERT_TRUE(budget);
     for (const BudgetEntry& entry : budget->entries)
@@ -138,18 +136,60 @@ TEST(ErrorBudget, AChangeNeedsOtherLengthsWhereTheMapIsNotCoveredWithIt) {
   EXPECT_GT(do_not, 0);
 }
 
-/// The figures of the design alone give the same as the entries, where layers add anything.
-TEST(ErrorBudget, GiveInAllIsTheSumOfItsEntries) {
-  for (const Spec& spec : loaded_specs()) {
-    const Design design = designed(spec);
+/// The design's own figures give the same, and the entries of what gives way no less.
+TEST(ErrorBudget, GiveIsThatOfTheFigures) {
+  for (const Design& design : loaded_designs()) {
     const auto budget = error_budget(design);
     const auto give = give_in_all(design.quality);
     ASSERT_TRUE(budget && give);
-    EXPECT_LE(*give, (1 + 1e-8) * budget->give());  // figures have nine digits
-    if (error_of(*budget, ErrorSource::layers) > 0) {
-      EXPECT_NEAR(*give, budget->give(), 1e-6 * *give);
+    double entries = 0;
+    for (const BudgetEntry& entry : budget->entries)
+      if (is_give(entry.source)) entries += entry.error;
+    EXPECT_NEAR(*give, budget->give, 1e-8 * *give);  // figures have nine digits
+    EXPECT_LE(budget->give, (1 + 1e-9) * entries);
+  }
+}
+
+/// What a row is told would help leaves less of the whole, too; and the map of a given mechanism says which lengths allow it.
+TEST(ErrorBudget, NoChangeOfARowAddsToTheWhole) {
+  for (const Design& design : loaded_designs()) {
+    const auto budget = error_budget(design);
+    ASSERT_TRUE(budget);
+    for (const BudgetEntry& entry : budget->entries)
+      for (const BudgetChange& change : entry.changes) {
+        const auto other = changed(design, change.words);
+        if (!other) continue;
+        const auto then = error_budget(*other);
+        const bool in_plane = is_in_plane(entry.source);
+        EXPECT_LT(then->sum(in_plane), budget->sum(in_plane)) << change.words;
+        if (is_give(entry.source)) {
+          EXPECT_LE(then->give, (1 + 1e-9) * budget->give) << change.words;
+        }
+      }
+  }
+}
+
+/// The same mechanism, found and given, has the same changes.
+TEST(ErrorBudget, OfAGivenMechanismHasTheChangesOfTheSameDesign) {
+  int need = 0;
+  for (Design design : loaded_designs()) {
+    const auto found = error_budget(design);
+    design.allowed.reset();
+    design.search.reset();
+    const auto given = error_budget(design);
+    ASSERT_TRUE(found && given);
+    ASSERT_EQ(found->entries.size(), given->entries.size());
+    for (std::size_t i = 0; i < found->entries.size(); ++i) {
+      const auto &a = found->entries[i].changes, &b = given->entries[i].changes;
+      ASSERT_EQ(a.size(), b.size());
+      for (std::size_t j = 0; j < a.size(); ++j) {
+        EXPECT_EQ(a[j].words, b[j].words);
+        EXPECT_EQ(a[j].needs_other_lengths, b[j].needs_other_lengths) << a[j].words;
+        need += a[j].needs_other_lengths;
+      }
     }
   }
+  EXPECT_GT(need, 0);
 }
 
 }  // namespace

@@ -18,10 +18,10 @@ namespace kempe {
 namespace {
 
 using section_forces::Structure;
-using soft_instrument::SoftCase;
 using soft_instrument::drawn_pen;
 using soft_instrument::seen_sensitivities;
 using soft_instrument::soft_case;
+using soft_instrument::SoftCase;
 using soft_instrument::worst_flaws;
 using wrong_instruments::Flaws;
 
@@ -52,9 +52,10 @@ struct Off {
 
 /// What one instrument suffers beside its flaws.
 struct Suffered {
-  Point force = Point::Zero();    ///< N, on the pen
+  Point force = Point::Zero();     ///< N, on the pen
   Point downhill = Point::Zero();  ///< along the table, of size 1: weights pull that way on a tilted one
-  std::array<Eigen::Vector2d, 6> tilts{};  ///< rad, of the links on their pins, in the order of Structure::joins
+  std::array<Eigen::Vector2d, 6>
+      tilts{};  ///< rad, of the links on their pins, in the order of Structure::joins
 };
 
 class LayeredInstrument {

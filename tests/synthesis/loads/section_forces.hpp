@@ -26,7 +26,7 @@ struct Piece {
 /// Joins two links, or (other < 0) a link and the ground.
 struct Join {
   int joint, link, other;
-  double stiffness;                                 ///< N mm/rad
+  double stiffness;                                ///< N mm/rad
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();  ///< rad about x and y: so it lies within its play
 };
 

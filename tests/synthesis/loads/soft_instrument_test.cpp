@@ -13,12 +13,12 @@
 namespace kempe {
 namespace {
 
-using soft_instrument::Play;
-using soft_instrument::SoftCase;
-using soft_instrument::SoftInstrument;
 using soft_instrument::drawn_pen;
+using soft_instrument::Play;
 using soft_instrument::seen_sensitivities;
 using soft_instrument::soft_case;
+using soft_instrument::SoftCase;
+using soft_instrument::SoftInstrument;
 using soft_instrument::worst_flaws;
 using wrong_instruments::Chance;
 using wrong_instruments::Flaws;
