@@ -42,12 +42,13 @@ inline std::string short_text(double value, int decimals) {
   return text;
 }
 
-/// Rounded to three digits.
-inline double with_three_digits(double value) {
+/// Rounded to so many digits.
+inline double with_digits(double value, int digits) {
   if (value == 0 || !std::isfinite(value)) return value;
-  const double grain = std::pow(10, std::floor(std::log10(std::abs(value))) - 2);
+  const double grain = std::pow(10, std::floor(std::log10(std::abs(value))) - (digits - 1));
   return std::round(value / grain) * grain;
 }
+inline double with_three_digits(double value) { return with_digits(value, 3); }
 
 /// With three digits and without an exponent: "12300", "4.37", "0.0025".
 inline std::string three_digits(double value) {

@@ -1,9 +1,11 @@
 // The class FinishedDesign of kempe/design.hpp.
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "library/workings.hpp"
 #include "reports/data/design_json.hpp"
+#include "reports/data/error_budget_json.hpp"
 
 namespace kempe {
 
@@ -103,5 +105,10 @@ std::variant<Pose, Unreachable> FinishedDesign::pose_with_tracer_at(const Point&
 }
 
 std::string FinishedDesign::json() const { return design_json(*inside_); }
+
+std::string FinishedDesign::error_budget_json() const {
+  const auto budget = error_budget(*inside_);
+  return budget ? error_budget_values(*budget).dump() : "";
+}
 
 }  // namespace kempe

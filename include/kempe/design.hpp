@@ -107,6 +107,9 @@ class KEMPE_EXPORT FinishedDesign {
 
   /// What design.json would hold (docs/design-file.md).
   std::string json() const;
+  /// The whole error with what would help against each part of it, as `error_budget` of `kempe synthesize --json` (docs/loads.md); empty
+  /// without Spec::load or Spec::material, and where the region is not reached.
+  std::string error_budget_json() const;
 
  private:
   friend struct Workings;

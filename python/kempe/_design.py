@@ -331,6 +331,16 @@ class Design:
         return self._inside.complete
 
     @property
+    def error_budget(self) -> Optional[dict[str, Any]]:
+        """The whole error of the made and loaded instrument, part by part, with what would help (docs/loads.md); None without a load.
+
+        Each of `["sources"]` has its "error_mm" and what "would_help"; "in_plane_mm" and "down_mm" are their sums, "give_mm" is how far
+        the pen gives way, and "would_help_most" has the best change against each of these.
+        """
+        text = self._inside.error_budget()
+        return json.loads(text) if text else None
+
+    @property
     def map(self) -> Map:
         """Where the tracer can stand."""
         return Map(self)

@@ -179,7 +179,7 @@ std::string error_pictures(const Design& design) {
   const auto give = [&](double opening) { return course.give(opening); };
   const bool weighs = gravity_along(design.load->tilt) > 0;
   std::vector<Panel> panels{
-      {"give", weighs ? "Load and own weight, with pins and layers" : "Load, with pins and layers", give}};
+      {"give", weighs ? "Load, own weight, pins and layers" : "Load, pins and layers", give}};
   if (design.tolerance) {
     panels.insert(panels.begin(), {"made", "Lengths and play", tolerances});
     panels.push_back({"in-plane", "All in the plane",

@@ -7,6 +7,7 @@
 #include <functional>
 #include <iterator>
 
+#include "geometry/fixed_text.hpp"
 #include "kinematics/parallel.hpp"
 #include "specs/hardware.hpp"
 #include "synthesis/design/allowed.hpp"
@@ -50,11 +51,7 @@ void measure_copy_error(Design& design) {
 }
 
 /// Nine digits: what is left after a system of equations is solved on any processor. Of a finite value; at least 0.
-double with_nine_digits(double value) {
-  if (!(value > 0)) return 0;
-  const double grain = std::pow(10, std::floor(std::log10(value)) - 8);
-  return std::round(value / grain) * grain;
-}
+double with_nine_digits(double value) { return value > 0 ? with_digits(value, 9) : 0; }
 
 /// Mass and loads; over the region alone.
 void measure_loads(Design& design, const Spec& spec) {

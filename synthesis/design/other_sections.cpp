@@ -45,9 +45,10 @@ bool bears(const Design& design, const OpeningInterval& openings, const LinkStyl
   if (largest_push_in_bars(design, style) >
       buckling_load(style, *design.material, std::max(lengths.VA, lengths.VB)))
     return false;
-  const auto stresses = LayeredErrorProfile(linkage.k(), linkage.grounding(),
-                                            sag_conditions(spec, design.layers), most_force_at_pen(*design.load))
-                            .stresses_over(lengths, openings, widest_hole(style, design.hardware, design.cutting));
+  const auto stresses =
+      LayeredErrorProfile(linkage.k(), linkage.grounding(), sag_conditions(spec, design.layers),
+                          most_force_at_pen(*design.load))
+          .stresses_over(lengths, openings, widest_hole(style, design.hardware, design.cutting));
   return !stresses || stresses->largest() <= strength;
 }
 

@@ -70,7 +70,7 @@ class Loads(unittest.TestCase):
                 self.assertNotIn("whatever limits.load_error_mm is", text)
             for text in said[True]:
                 self.assertIn(", whatever limits.load_error_mm is", text)
-            self.assertRegex(said[True][0], r"mm by the links alone \(limit 0\.4567\), ")
+            self.assertRegex(said[True][0], r"mm by the links alone \(limit 0\.4567 mm\), ")
             self.assertRegex(said[True][1], r"limit 0\.4567\smm")
 
     def test_a_load_changes_no_design(self):
@@ -122,6 +122,22 @@ class Loads(unittest.TestCase):
         limited = json.loads(json.dumps(stated))
         limited["limits"]["load_error_mm"] = 0.5
         self.assertIn("limits.load_error_mm", [one["limit"] for one in self.verify(limited)["broken"]])
+
+    def test_the_answer_as_data_has_the_error_budget(self):
+        (self.here / "spec.toml").write_text(LOADED)
+        answer = json.loads(kempe("synthesize", self.here / "spec.toml", "-o", self.here / "design", "--json").stdout)
+        budget, quality = answer["error_budget"], answer["quality"]
+        self.assertAlmostEqual(budget["give_mm"], quality["load_error_layered_max_mm"], delta=1e-8 * budget["give_mm"])
+        errors = {part["source"]: part["error_mm"] for part in budget["sources"]}
+        self.assertAlmostEqual(errors["links"], quality["load_error_max_mm"], delta=1e-8 * errors["links"])
+        for in_plane, total in ((True, "in_plane_mm"), (False, "down_mm")):
+            parts = [part["error_mm"] for part in budget["sources"] if part["in_plane"] == in_plane]
+            self.assertAlmostEqual(budget[total], sum(parts), delta=1e-7 * budget[total])
+        for part in budget["sources"]:
+            for change in part["would_help"]:
+                self.assertLess(change["after_mm"], part["error_mm"])
+        for best in budget["would_help_most"].values():
+            self.assertLess(best["after_mm"], best["before_mm"])
 
     def test_the_report_answers(self):
         said, stated = self.design(LOADED + '[limits]\nload_error_mm = 0.4\n[objective]\nminimize = "load_error"\n')
@@ -184,7 +200,7 @@ load_error_mm = 1000
         self.assertIs(stated["limits"]["load_error_in_all"], True)
         self.assertLessEqual(stated["quality"]["load_error_layered_max_mm"], limit * (1 + 1e-9))
         self.assertGreater(links["quality"]["load_error_layered_max_mm"], limit)
-        self.assertRegex(said, r"mm at worst \(limit [0-9.]+\), with pins and layers\n")
+        self.assertRegex(said, r"mm at worst \(limit [0-9.]+ mm\), with pins and layers\n")
         self.assertNotIn("speaks of the links alone", said)
         self.assertIn("are allowed in all", (self.here / "design" / "report.html").read_text())
         self.assertTrue(self.verify(stated)["certified"])

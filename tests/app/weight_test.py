@@ -160,7 +160,7 @@ class Weight(unittest.TestCase):
         self.assertNotRegex(page.split("<body>")[1].split("<script")[0], r"\de-1\d")
         self.assertNotIn("<b>Sag</b>: ", page)
         self.assertNotIn("rests on the table, which bears", page)
-        self.assertIn("Neither pen nor tracer sinks by weight or play.", page)
+        self.assertIn("Neither pen nor tracer leaves its plane by weight or play.", page)
 
     def test_what_the_load_lifts_stands_beside_what_sinks(self):
         self.assertGreater(self.design(TASK + LOAD)[1]["quality"]["load_rise_max_mm"], 0.001)
@@ -172,7 +172,7 @@ class Weight(unittest.TestCase):
         exact = TASK.replace("[tolerance]\nlength_mm = 0.05\nplay_mm = 0.02\n", "")
         upright = self.design(exact + LOAD + "tilt_deg = 90\n")[0]
         self.assertNotIn("and against sinking", upright)
-        self.assertRegex(upright, "down or up .* at worst: pull ")
+        self.assertRegex(upright, "at right angles to the table .* at worst: pull ")
         self.assertIn("and against what the load lifts or lowers", upright)
         page = (self.here / "design" / "report.html").read_text()
         self.assertIn(" against what the load lifts or lowers: ", page)

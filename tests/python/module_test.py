@@ -215,6 +215,13 @@ class Designs(InAFolder):
             self.assertEqual(getattr(tilted, name), tilted.to_dict()["quality"][name], name)
             self.assertGreater(getattr(tilted, name), 0, name)
             self.assertIsNone(getattr(loaded, name), name)
+        budget = loaded.error_budget
+        self.assertAlmostEqual(budget["give_mm"], loaded.load_error_layered_max_mm, delta=1e-8 * budget["give_mm"])
+        self.assertAlmostEqual(budget["in_plane_mm"], sum(part["error_mm"] for part in budget["sources"] if part["in_plane"]),
+                               delta=1e-8 * budget["in_plane_mm"])
+        best = budget["would_help_most"]["give"]
+        self.assertLess(best["after_mm"], best["before_mm"])
+        self.assertIsNone(DESIGN.error_budget)
         self.assertIsNone(DESIGN.load_error_layered_max_mm)
         self.assertIsNone(DESIGN.stress_layered_max_MPa)
 

@@ -238,7 +238,7 @@ TEST(HtmlReport, SaysWhatTheHandHolds) {
   specimen.design.load = Load{.pen_force = 0.001};
   specimen.design.quality.loads = LoadFigures{.pin_force_max = 0.002, .hand_force_max = 0.0014};
   const std::string page = report_of(specimen);
-  EXPECT_THAT(page, HasSubstr("The hand holds 0.0014\u00a0N."));
+  EXPECT_THAT(page, HasSubstr("The hand holds 0.0014\u00a0N against the pen's force"));
   EXPECT_THAT(page, HasSubstr("way under 0.001\u00a0N at"));
   EXPECT_THAT(page, Not(HasSubstr("holds 0 N")));
 }
