@@ -13,7 +13,13 @@ For each instrument at one opening:
   sag                by the weight of the links
 beside what kempe states (links alone, and with the pins of its budget) and the same beams with shear (Timoshenko's, coefficient 6/5).
 
-usage: solids.py KEMPE [FOLDER]      FOLDER: where CalculiX's files stay (a temporary one if left out)
+With --shares the differences are taken apart, one thing changed after another:
+  in the plane       bricks without holes and pins (at a joint the links' discs have one mean movement); with holes, and pins a thousand times as
+                     stiff, all links in one layer; with pins of steel; the links in their layers
+  sag                kempe's beams; their weight without the holes'; what two crossing plates of bricks give way at their pin in place of what the
+                     pin's bending is; beside the bricks, also with pins that weigh as much as the holes' material
+
+usage: solids.py [--shares] KEMPE [FOLDER]      FOLDER: where CalculiX's files stay (a temporary one if left out)
 """
 import cmath
 import json
@@ -24,10 +30,13 @@ import subprocess
 import sys
 import tempfile
 
+import numpy
+
 AROUND = 24  # nodes round a hole
 RINGS = 2  # elements between hole and edge
 GRAVITY = 9.80665
 STEEL = (200e3, 200e3 / (2 * 77e3) - 1)  # E (MPa) and Poisson's ratio of pins
+PINS, NEAR_RIGID = (*STEEL, 1e-20), (1000 * STEEL[0], STEEL[1], 1e-20)  # and without weight
 JOINTS = "VABCXY"
 # name, scale, rotation_deg, vertex, VA, VB, opening_deg (a multiple of 15: holes and pins share their nodes), width, thickness, pin, material, pen_N
 TASKS = [
@@ -192,23 +201,29 @@ def add_link(mesh, link, joints, width, hole, levels):
                 mesh.column(link, "link", [first + way * complex(x, half * y) for x, y in corners], levels)
 
 
-def add_pin(mesh, name, centre, diameter, levels):
+def add_pin(mesh, name, centre, diameter, levels, material="pin"):
     core = diameter / 4
     for a, b in zip(STEPS, STEPS[1:]):
         for c, d in zip(STEPS, STEPS[1:]):
             quad = [centre + core * complex(x, y) for x, y in ((a, c), (b, c), (b, d), (a, d))]
-            mesh.column(name, "pin", quad, levels)
+            mesh.column(name, material, quad, levels)
     for i in range(AROUND):
         angles = [2 * math.pi * j / AROUND for j in (i, i + 1)]
         inner = [centre + on_square(angle, core) for angle in angles]
         edge = [centre + cmath.rect(diameter / 2, angle) for angle in angles]
-        mesh.column(name, "pin", [inner[0], edge[0], edge[1], inner[1]], levels)
+        mesh.column(name, material, [inner[0], edge[0], edge[1], inner[1]], levels)
+
+
+def push(forces):
+    """CalculiX's lines of forces: node, direction, N."""
+    return ["*CLOAD, OP=NEW"] + [f"{number}, {dof}, {force:.12g}" for number, dof, force in forces if force]
 
 
 class Solids:
-    def __init__(self, beams, layers, pin):
-        self.beams, self.layers, self.pin, self.mesh = beams, layers, pin, Mesh()
-        self.equations, self.on_hole = [], set()
+    def __init__(self, beams, layers, pin, filled=False):
+        """`filled`: no holes and no pins."""
+        self.beams, self.layers, self.pin, self.filled, self.at, self.mesh = beams, layers, pin, filled, beams.at, Mesh()
+        self.equations, self.on_hole, self.held = [], set(), []
         t = beams.thickness
         for link, row in beams.rows().items():
             low = t * (layers[link] - 1)
@@ -221,14 +236,34 @@ class Solids:
             hinges |= {"X": (None, ["ACX"]), "V": ("VA", ["VB"]), "Y": ("BCY", [])}
         for joint, (fast, turning) in hinges.items():
             links = ([fast] if fast else []) + turning
+            if filled:
+                self.fill(joint, links)
+                continue
             lowest = 0 if joint == post else min(layers[link] for link in links) - 1
             highest = max(layers[link] for link in links)
             add_pin(self.mesh, "pin " + joint, beams.at[joint], pin, [t / 2 * i for i in range(2 * lowest, 2 * highest + 1)])
             for link in links:
                 self.join(link, joint, link == fast)
+        if not filled:
+            self.clamp("pin " + post)
+
+    def clamp(self, pin):
+        self.held += [(number, dof) for (part, _, _, z), number in self.mesh.number.items() if part == pin and abs(z) < 1e-6 for dof in (1, 2, 3)]
+
+    def fill(self, joint, links):
+        """Discs of the links' material in their holes, whose mean movements are one, at the pole none."""
+        t, discs = self.beams.thickness, []
+        for link in links:
+            low = t * (self.layers[link] - 1)
+            add_pin(self.mesh, f"pin {joint} {link}", self.at[joint], self.pin, [low, low + t / 2, low + t], "link")
+            self.join(link, f"{joint} {link}", True)
+            discs.append(self.middle_of(joint, link))
+            self.held += [(number, 3) for number in discs[-1]]
+        first = [] if joint == self.beams.pole else discs.pop(0)
+        self.equations += [[(number, dof, 1) for number in disc] + [(number, dof, -1) for number in first] for disc in discs for dof in (1, 2)]
 
     def join(self, link, joint, fast):
-        centre = self.beams.at[joint]
+        centre = self.at[joint[0]]
         for (part, x, y, z), number in list(self.mesh.number.items()):
             if part != link or abs(complex(x, y) - centre) > self.pin / 2 * (1 + 1e-5):
                 continue
@@ -246,16 +281,29 @@ class Solids:
     def carrier(self, joint):
         return {"V": "VA", "X": "ACX", "Y": "BCY"}[joint]
 
-    def middle_of(self, joint):
-        """Nodes of the pin's core in the middle of the link that carries the point there."""
-        z, centre = self.beams.thickness * (self.layers[self.carrier(joint)] - 0.5), self.beams.at[joint]
+    def middle_of(self, joint, link):
+        """Nodes in the middle of a link there: of its disc, or of the pin's core."""
+        z, centre = self.beams.thickness * (self.layers[link] - 0.5), self.at[joint]
+        pin, reach = (f"pin {joint} {link}", 1) if self.filled else ("pin " + joint, 0.36)
         return [number for (part, x, y, height), number in self.mesh.number.items()
-                if part == "pin " + joint and abs(height - z) < 1e-6 and abs(complex(x, y) - centre) < 0.36 * self.pin]
+                if part == pin and abs(height - z) < 1e-6 and abs(complex(x, y) - centre) < reach * self.pin]
 
-    def solve(self, folder, name, E, nu, density, in_plane, steps):
+    def solve(self, folder, name, links, pins, in_plane, steps):
         """Mean movement of pen and tracer for each step: a force on the pen, or None for weight."""
+        pen, tracer = (self.middle_of(joint, self.carrier(joint)) for joint in (self.beams.pen, self.beams.tracer))
+        held = [(number, 3) for (part, _, _, z), number in self.mesh.number.items() if in_plane and part in self.layers
+                and number not in self.on_hole and abs(z - self.beams.thickness * (self.layers[part] - 0.5)) < 1e-6]
+        weigh = ["*DLOAD"] + [f"E{material}, GRAV, {1000 * GRAVITY}, 0, 0, -1" for material in self.mesh.elements]
+        loads = [weigh if force is None else
+                 push((number, dof, part / len(pen)) for number in pen for dof, part in ((1, force.real), (2, force.imag))) for force in steps]
+        blocks = self.calculix(folder, name, links, pins, [[(number, dof, 1) for number in tracer] for dof in (1, 2)], held,
+                               {"PEN": pen, "TRACER": tracer}, loads)
+        means = [[sum(row[i] for row in rows) / len(rows) for i in (1, 2, 3)] for rows in blocks]
+        return list(zip(means[::2], means[1::2]))
+
+    def calculix(self, folder, name, links, pins, equations, held, shown, loads):
+        """Rows of node and movement, for each load (its lines) in turn those of each set of nodes in `shown`."""
         mesh = self.mesh
-        pen, tracer = self.middle_of(self.beams.pen), self.middle_of(self.beams.tracer)
         lines = ["*NODE, NSET=NALL"]
         lines += [f"{i + 1}, {place.real:.9g}, {place.imag:.9g}, {z:.9g}" for i, (place, z) in enumerate(mesh.places)]
         element = 0
@@ -264,40 +312,160 @@ class Solids:
             for nodes in elements:
                 element += 1
                 lines += [f"{element}, " + ", ".join(map(str, nodes[:10])) + ",", ", ".join(map(str, nodes[10:]))]
-        for material, (modulus, poisson, mass) in {"link": (E, nu, density), "pin": (*STEEL, 1e-20)}.items():
+        for material in mesh.elements:
+            modulus, poisson, mass = {"link": links, "pin": pins}[material]
             lines += [f"*MATERIAL, NAME={material}", "*ELASTIC", f"{modulus:.9g}, {poisson:.9g}", "*DENSITY", f"{mass:.9g}",
                       f"*SOLID SECTION, ELSET=E{material}, MATERIAL={material}"]
-        equations = self.equations + [[(number, dof, 1) for number in tracer] for dof in (1, 2)]
-        for terms in equations:
+        for terms in self.equations + equations:
             lines += ["*EQUATION", str(len(terms))]
             for i in range(0, len(terms), 4):
                 lines.append(", ".join(f"{number}, {dof}, {value:.12g}" for number, dof, value in terms[i:i + 4]))
-        lines.append("*BOUNDARY")
-        lines += [f"{number}, 1, 3" for (part, _, _, z), number in mesh.number.items() if part == "pin " + self.beams.pole and abs(z) < 1e-6]
-        if in_plane:
-            lines += [f"{number}, 3, 3" for (part, _, _, z), number in mesh.number.items()
-                      if part in self.layers and number not in self.on_hole and abs(z - self.beams.thickness * (self.layers[part] - 0.5)) < 1e-6]
-        for set_name, nodes in (("PEN", pen), ("TRACER", tracer)):
+        lines += ["*BOUNDARY"] + [f"{number}, {dof}, {dof}" for number, dof in self.held + held]
+        for set_name, nodes in shown.items():
             lines += [f"*NSET, NSET={set_name}"] + [f"{number}," for number in nodes]
-        for force in steps:
-            lines += ["*STEP", "*STATIC"]
-            if force is None:
-                lines += ["*DLOAD", f"Elink, GRAV, {1000 * GRAVITY}, 0, 0, -1"]
-            else:
-                lines.append("*CLOAD, OP=NEW")
-                lines += [f"{number}, {dof}, {part / len(pen):.12g}" for number in pen for dof, part in ((1, force.real), (2, force.imag)) if part]
-            lines += ["*NODE PRINT, NSET=PEN", "U", "*NODE PRINT, NSET=TRACER", "U", "*END STEP"]
+        for load in loads:
+            lines += ["*STEP", "*STATIC"] + load
+            lines += [line for set_name in shown for line in (f"*NODE PRINT, NSET={set_name}", "U")] + ["*END STEP"]
         (folder / f"{name}.inp").write_text("\n".join(lines) + "\n")
         run = subprocess.run(["ccx", "-i", name], cwd=folder, capture_output=True, text=True)
         answer = folder / f"{name}.dat"
         if run.returncode != 0 or not answer.exists():
             sys.exit(f"solids.py: ccx failed on {folder / name}.inp:\n{run.stdout[-2000:]}")
         blocks = re.split(r"displacements.*", answer.read_text())[1:]
-        means = []
-        for block in blocks:
-            rows = [[float(value) for value in line.split()] for line in block.splitlines() if line.strip()]
-            means.append([sum(row[i] for row in rows) / len(rows) for i in (1, 2, 3)])
-        return list(zip(means[::2], means[1::2]))
+        return [[[float(value) for value in line.split()] for line in block.splitlines() if line.strip()] for block in blocks]
+
+
+class Crossing(Solids):
+    """Two plates that cross at a pin: the lower one ends there and is fast on it, the upper one goes on both ways. Or the lower one `alone`,
+    turning on a pin that is clamped under it, as a post."""
+
+    def __init__(self, width, t, pin, alone):
+        self.pin, self.mesh, self.at, self.equations, self.on_hole = pin, Mesh(), {"C": 0j}, [], set()
+        self.sections = [4.5 * width, 3.5 * width, 2.5 * width]  # from the pin: a couple is on the first
+        add_link(self.mesh, "low", [complex(-5 * width), 0j], width, pin, [0, t / 2, t])
+        add_pin(self.mesh, "pin C", 0j, pin, [t / 2 * i for i in range(3 if alone else 5)])
+        self.join("low", "C", not alone)
+        self.held, self.middles, end = [], {"low": t / 2, "high": 1.5 * t}, self.sections[0]
+        low, high, back = ("low", -1 + 0j), ("high", 1j), ("high", -1j)
+        if alone:
+            self.clamp("pin C")
+            held = {("low", -end, 0, t / 2): (2,)}
+            self.cases = [(way, [(1, low)]) for way in (1 + 0j, 1j)]
+        else:
+            add_link(self.mesh, "high", [-5j * width, 0j, 5j * width], width, pin, [t, 1.5 * t, 2 * t])
+            self.join("high", "C", False)
+            held = {("low", -end, 0, t / 2): (1, 2, 3), ("low", -end, width / 2, t / 2): (1, 3), ("low", -end, 0, 0): (1,),
+                    ("high", 0, end, 1.5 * t): (1,)}
+            self.cases = [(way, [(1, high), (-1, before)]) for way, before in ((1 + 0j, low), (1j, low), (1j, back), (1 + 0j, back))]
+        self.held += [(self.mesh.number[key], dof) for key, dofs in held.items() for dof in dofs]
+
+    def tilt(self, link, along, section, way):
+        """How the nodes of a section move where it tilts and rises along a way, over the sum of the squares of this."""
+        moves = numpy.zeros((len(self.mesh.places), 3))
+        for (part, x, y, z), number in self.mesh.number.items():
+            place = complex(x, y) - along * self.sections[section]
+            if part == link and abs((place * along.conjugate()).real) < 1e-4:
+                low = z - self.middles[link]
+                moves[number - 1] = -low * way.real, -low * way.imag, (way.conjugate() * place).real
+        return moves / (moves**2).sum()
+
+    def gives(self, folder, links, pins):
+        """Tilt for 1 N mm at the pin's axis, beyond what the plates' bending and twist is: of the upper plate on the lower one (of the one
+        alone), rising along x and along y; and of the upper one's two sides, rising along it and across."""
+        tilts = [[sum(sign * self.tilt(*arm, i, way) for sign, arm in arms) for i in range(3)] for way, arms in self.cases]
+        loads = [push((int(node) + 1, int(axis) + 1, tilt[0][node, axis]) for node, axis in zip(*numpy.nonzero(tilt[0]))) for tilt in tilts]
+        answers = self.calculix(folder, "crossing", links, pins, [], [], {"ALL": range(1, len(self.mesh.places) + 1)}, loads)
+        (_, far, near), gives = self.sections, []
+        for tilt, rows in zip(tilts, answers):
+            at_far, at_near = ((tilt[i] * numpy.array(rows)[:, 1:]).sum() for i in (1, 2))
+            gives.append(at_near - (at_far - at_near) * near / (far - near))
+        return gives
+
+
+def flat_bar(width, t, E, nu):
+    """EI and GJ out of the plane, as kempe has them."""
+    return E * width * t**3 / 12, E / (2 + 2 * nu) * width * t**3 * (1 / 3 - 0.21 * t / width * (1 - (t / width)**4 / 12))
+
+
+def sag_of(beams, pins, links, hole, rigid, gives):
+    """By kempe's grillage (docs/loads-out-of-plane.md). `hole`: of this diameter, without weight; `rigid`: mm of an arm, of bending and of twist,
+    at its link's ends and at the joint between; `gives`: tilt for 1 N mm at each of `pins`, joints and their links, one alone on the table."""
+    EI, GJ = flat_bar(beams.width, beams.thickness, *links[:2])
+    area = 1000 * GRAVITY * links[2] * beams.thickness  # N/mm^2
+    keys = list(JOINTS) + [(link, joint, axis) for link, row in beams.rows().items() for joint in row for axis in (0, 1)]
+    unit = dict(zip(keys, numpy.eye(len(keys))))
+    stiffness, forces = numpy.zeros((len(keys), len(keys))), numpy.zeros(len(keys))
+    for link, row in beams.rows().items():
+        for joint in row:
+            forces -= area * math.pi / 8 * ((joint in row[0] + row[-1]) * beams.width**2 - 2 * hole**2) * unit[joint]
+        for pair in zip(row, row[1:]):
+            way = beams.at[pair[1]] - beams.at[pair[0]]
+            length, way = abs(way), way / abs(way)
+            ends = [rigid[joint not in row[0] + row[-1]] for joint in pair]
+            slopes = [unit[link, joint, 0] * way.real + unit[link, joint, 1] * way.imag for joint in pair]
+            twists = [unit[link, joint, 1] * way.real - unit[link, joint, 0] * way.imag for joint in pair]
+            rises = [unit[joint] + sign * end[0] * slope for joint, sign, end, slope in zip(pair, (1, -1), ends, slopes)]
+            free, untwisted = (length - ends[0][i] - ends[1][i] for i in (0, 1))
+            bent = rises[1] - rises[0] - free / 2 * (slopes[0] + slopes[1])
+            for each, change in ((EI / free, slopes[1] - slopes[0]), (12 * EI / free**3, bent), (GJ / untwisted, twists[1] - twists[0])):
+                stiffness += each * numpy.outer(change, change)
+            forces -= area * beams.width * free**2 / 12 * (slopes[0] - slopes[1])
+            for joint, end, rise in zip(pair, ends, rises):
+                forces -= area * beams.width / 2 * ((free + end[0]) * rise + end[0] * unit[joint])
+    for joint, on in pins.items():
+        for axis in (0, 1):
+            lean = sum(sign * unit[link, beams.pole if joint == "post" else joint, axis] for link, sign in zip(on, (1, -1)))
+            stiffness += numpy.outer(lean, lean) / gives[joint]
+    free = [i for i, key in enumerate(keys) if key != beams.pole]
+    moved = dict(zip([keys[i] for i in free], numpy.linalg.solve(stiffness[numpy.ix_(free, free)], forces[free])))
+    return -min(moved[beams.pen], moved[beams.tracer])
+
+
+def shares(beams, layers, links, pin, force, states, sag, bricks, folder):
+    """Prints what each thing adds to load error and sag. `bricks`: both of bricks as they are, in the plane."""
+    E, nu, density = links
+
+    def plane(name, of_pins, *plates):
+        (x, _), (y, _) = Solids(beams, *plates).solve(folder, name, links, of_pins, True, [1, 1j])
+        return [force * value for value in worst_and_least([[x[0], y[0]], [x[1], y[1]]])]
+
+    print(" load error in the plane, one change after another: worst, least direction")
+    before, one_layer = states, dict.fromkeys(layers, 1)
+    for what, now in (("shear", [force * value for value in worst_and_least(beams.compliance(E, E / (2 + 2 * nu)))]),
+                      ("bricks without holes and pins", plane("filled", PINS, layers, pin, True)),
+                      ("holes with near-rigid pins, in one layer", plane("rigid", NEAR_RIGID, one_layer, pin)),
+                      ("pins of steel", plane("layer", PINS, one_layer, pin)), ("the links in their layers", bricks[0])):
+        print(f"  {what:58} " + " ".join(f"{100 * (b - a) / s:+7.2f} %" for a, b, s in zip(before, now, states)))
+        before = now
+
+    def heavy(name, of_pins):
+        (pen, tracer), = Solids(beams, layers, pin).solve(folder, name, links, of_pins, False, [None])
+        return -min(pen[2], tracer[2])
+
+    post = min(("VA", "VB"), key=layers.get) if beams.pole == "V" else "ACX"
+    pins = {"post": (post,), "V": ("VA", "VB"), "A": ("VA", "ACX"), "B": ("VB", "BCY"), "C": ("ACX", "BCY")}
+    heights = {joint: abs(layers[on[0]] - (layers[on[1]] if on[1:] else 0.5)) * beams.thickness for joint, on in pins.items()}
+    bent = {joint: height * 64 / (STEEL[0] * math.pi * pin**4) for joint, height in heights.items()}
+    slender, bars = ((0, 0), (0, 0)), flat_bar(beams.width, beams.thickness, E, nu)
+    crossing, alone = (Crossing(beams.width, beams.thickness, pin, each) for each in (False, True))
+    held = crossing.gives(folder, links, NEAR_RIGID)
+
+    def with_joints(of_pins):
+        gives, on_post = crossing.gives(folder, links, of_pins), alone.gives(folder, links, of_pins)
+        rigid = [[-give * bar / 2 for give, bar in zip(each[2:], bars)] for each in (held, gives)]
+        arms = [sum(mm / bar for mm, bar in zip(each, bars)) / 2 for each in rigid]
+        leans = {joint: (gives[0] + gives[1]) / 2 + arms[0] + arms[joint in "AB"] for joint in pins}
+        return sag_of(beams, pins, links, pin, rigid, leans | {"post": sum(on_post) / 2 + arms[0]})
+
+    print(" sag, each against what kempe states")
+    for what, value in (("kempe's beams", sag_of(beams, pins, links, 0, slender, bent)),
+                        ("pins do not bend", sag_of(beams, pins, links, 0, slender, dict.fromkeys(pins, 1e-12))),
+                        ("holes weigh nothing", sag_of(beams, pins, links, pin, slender, bent)),
+                        ("and joints as two crossing plates give, near-rigid pins", with_joints(NEAR_RIGID)),
+                        ("bricks, near-rigid pins", heavy("stiff", NEAR_RIGID)),
+                        ("and joints as two crossing plates give, pins of steel", with_joints(PINS)),
+                        ("bricks", bricks[1]), ("bricks, holes filled with weight", heavy("heavy", (*STEEL, density)))):
+        print(f"  {what:58} {100 * (value / sag - 1):+7.2f} %")
 
 
 def stated(kempe, task, reach, opening, folder):
@@ -316,7 +484,7 @@ def stated(kempe, task, reach, opening, folder):
     raise AssertionError
 
 
-def compare(kempe, task, folder):
+def compare(kempe, task, folder, in_shares):
     beams = Beams(task)
     opening, pin, force = task[6], task[9], task[11]
     reach = abs(beams.at[beams.tracer] - beams.at[beams.pole])
@@ -325,11 +493,11 @@ def compare(kempe, task, folder):
     E = 1000 * design["material"]["E_GPa"]
     G = 1000 * design["material"].get("G_GPa", E / 2600)
     density = 1e-12 * design["material"]["density_kg_m3"]
-    solids = Solids(beams, layers, pin)
+    links, solids = (E, E / (2 * G) - 1, density), Solids(beams, layers, pin)
     print(f"{task[0]}: {len(solids.mesh.places)} nodes, {sum(map(len, solids.mesh.elements.values()))} elements; opening {opening} degrees")
 
     def solved(name, in_plane, steps):
-        return solids.solve(folder, name, E, E / (2 * G) - 1, density, in_plane, steps)
+        return solids.solve(folder, name, links, PINS, in_plane, steps)
 
     def load_error(moved):
         (x, _), (y, _) = moved
@@ -358,18 +526,22 @@ def compare(kempe, task, folder):
     print(" sag by the links' weight, of tracer or pen what sinks more")
     row("kempe states", quality["sag_max_mm"], quality["sag_max_mm"])
     row("CalculiX", max(-pen[2], -tracer[2]), quality["sag_max_mm"])
+    if in_shares:
+        shares(beams, layers, links, pin, force, states, quality["sag_max_mm"], (plane, max(-pen[2], -tracer[2])), folder)
 
 
 def main():
-    kempe = str(pathlib.Path(sys.argv[1]).resolve())
+    in_shares = "--shares" in sys.argv
+    arguments = [argument for argument in sys.argv[1:] if argument != "--shares"]
+    kempe = str(pathlib.Path(arguments[0]).resolve())
     for number, task in enumerate(TASKS):
-        if len(sys.argv) > 2:
-            folder = pathlib.Path(sys.argv[2]).absolute() / str(number)
+        if len(arguments) > 1:
+            folder = pathlib.Path(arguments[1]).absolute() / str(number)
             folder.mkdir(parents=True, exist_ok=True)
-            compare(kempe, task, folder)
+            compare(kempe, task, folder, in_shares)
         else:
             with tempfile.TemporaryDirectory() as folder:
-                compare(kempe, task, pathlib.Path(folder))
+                compare(kempe, task, pathlib.Path(folder), in_shares)
 
 
 if __name__ == "__main__":
