@@ -39,12 +39,9 @@ Json error_budget_values(const ErrorBudget& budget) {
   add("in_plane", budget.best_in_plane);
   add("down", budget.best_down);
   add("give", budget.best_against_give);
-  return {{"in_plane_mm", figure(budget.sum(true))},
-          {"down_mm", figure(budget.sum(false))},
-          {"give_mm", figure(budget.give)},
-          {"states_layers", budget.states_layers},
-          {"sources", std::move(sources)},
-          {"would_help_most", std::move(most)}};
+  return {{"in_plane_mm", figure(budget.sum(true))}, {"down_mm", figure(budget.sum(false))},
+          {"give_mm", figure(budget.give)},          {"states_layers", budget.states_layers},
+          {"sources", std::move(sources)},           {"would_help_most", std::move(most)}};
 }
 
 }  // namespace kempe

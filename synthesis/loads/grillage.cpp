@@ -17,6 +17,8 @@ double longest_beam(const GrillagePlan& plan) {
   return longest > 0 ? longest : 1;
 }
 
+double cube(double x) { return x * x * x; }
+
 /// A beam of length 1 and bending stiffness 1 for rise and slope at one end, then at the other.
 Eigen::Matrix4d bending_matrix() {
   Eigen::Matrix4d matrix;
@@ -67,8 +69,8 @@ struct Grillage::ScaledBeam {
 
 Grillage::ScaledBeam Grillage::scaled(const GrillagePlan& plan, const GrillageBeam& beam) const {
   const Complex way = (plan.place(beam.to) - plan.place(beam.from)) / scale_;
-  const double length = std::abs(way), bending = beam.bending / std::pow(scale_, 3),
-               torsion = beam.torsion / std::pow(scale_, 3), weight = beam.weight * scale_;
+  const double length = std::abs(way), bending = beam.bending / cube(scale_),
+               torsion = beam.torsion / cube(scale_), weight = beam.weight * scale_;
   const Complex along = way / length;
   ScaledBeam part;
   // Rise and slope along the beam (times its length) at both ends, then the slopes across it.
@@ -87,7 +89,7 @@ Grillage::ScaledBeam Grillage::scaled(const GrillagePlan& plan, const GrillageBe
   }
   const Eigen::RowVector<double, 6> twist = ends.row(5) - ends.row(4);
   part.stiffness =
-      ends.topRows(4).transpose() * (bending / std::pow(length, 3) * bending_matrix()) * ends.topRows(4) +
+      ends.topRows(4).transpose() * (bending / cube(length) * bending_matrix()) * ends.topRows(4) +
       torsion / length * twist.transpose() * twist;
   part.weight =
       -weight * length * ends.topRows(4).transpose() * Eigen::Vector4d(0.5, 1.0 / 12, 0.5, -1.0 / 12);

@@ -69,10 +69,12 @@ double SagAt::most() const {
 
 SagProfile::SagProfile(Complex k, Grounding grounding, const SagConditions& conditions)
     : shape_(shape_of(k, grounding)), roles_(roles_of(grounding)), conditions_(conditions),
-      pins_(pin_diameters(conditions.style, conditions.hardware)), down_(gravity_across(conditions.tilt)) {}
+      bar_(flat_bar(conditions.style, conditions.E, conditions.G)),
+      pins_(pin_diameters(conditions.style, conditions.hardware)), down_(gravity_across(conditions.tilt)) {
+  for (double& pin : pins_) pin = steel::E * pi * std::pow(pin, 4) / 64;
+}
 
 void SagProfile::add_links(GrillagePlan& plan) const {
-  const FlatBar bar = flat_bar(conditions_.style, conditions_.E, conditions_.G);
   const bool triangles = conditions_.style.plate == PlateStyle::triangle && !is_straight(shape_);
   const double each_mm = down_ * conditions_.density * cubic_metres_per_mm3 * conditions_.style.width *
                          conditions_.style.thickness;
@@ -81,7 +83,7 @@ void SagProfile::add_links(GrillagePlan& plan) const {
     for (int i = 0; i < of_link.count; ++i)
       plan.nodes.push_back(number_of(of_link.joints[static_cast<std::size_t>(i)]));
     for (const LinkArm& arm : arms_of(link, shape_))
-      plan.beams.push_back({node_of(link, arm.from), node_of(link, arm.to), bar.bending, bar.torsion,
+      plan.beams.push_back({node_of(link, arm.from), node_of(link, arm.to), bar_.bending, bar_.torsion,
                             triangles && of_link.count == 3 ? 0 : each_mm});
   }
 }
@@ -105,9 +107,7 @@ void SagProfile::add_weights(GrillagePlan& plan) const {
 void SagProfile::add_pins(GrillagePlan& plan) const {
   const LayerAssignment& layers = conditions_.layers;
   const double thickness = conditions_.style.thickness;
-  const auto bending = [&](Joint joint) {
-    return steel::E * pi * std::pow(pins_[static_cast<std::size_t>(joint)], 4) / 64;
-  };
+  const auto bending = [&](Joint joint) { return pins_[static_cast<std::size_t>(joint)]; };
   const auto join = [&](Joint joint, Link one, Link other) {
     const double apart = thickness * std::abs(layers[one] - layers[other]);
     plan.pins.push_back({node_of(one, joint), node_of(other, joint), bending(joint) / apart});

@@ -102,7 +102,8 @@ class SagProfile {
   Complex shape_;
   JointRoles roles_;
   SagConditions conditions_;
-  std::array<double, 6> pins_;  ///< mm, their diameters, in the order of Joint
+  FlatBar bar_;
+  std::array<double, 6> pins_;  ///< N mm^2: how they resist bending, in the order of Joint
   double down_;                 ///< m/s^2: gravity's part at right angles to the table
 };
 

@@ -123,6 +123,16 @@ class Loads(unittest.TestCase):
         limited["limits"]["load_error_mm"] = 0.5
         self.assertIn("limits.load_error_mm", [one["limit"] for one in self.verify(limited)["broken"]])
 
+    def test_two_limits_that_are_both_in_the_way_are_told_with_what_would_do(self):
+        spec = self.here / "spec.toml"
+        both = "[limits]\nload_error_mm = {}\nsag_mm = {}\n"
+        spec.write_text(LOADED + both.format(0.01, 0.01))
+        told = kempe("synthesize", spec, "-o", self.here / "none")
+        self.assertNotEqual(told.returncode, 0)
+        self.assertIn("limits.load_error_mm = 0.01 and limits.sag_mm = 0.01 are both in the way", told.stderr)
+        enough = re.search(r"both in the way, ([0-9.]+) and ([0-9.]+) together would do", told.stderr)
+        self.design(LOADED + both.format(*enough.groups()))
+
     def test_the_answer_as_data_has_the_error_budget(self):
         (self.here / "spec.toml").write_text(LOADED)
         answer = json.loads(kempe("synthesize", self.here / "spec.toml", "-o", self.here / "design", "--json").stdout)

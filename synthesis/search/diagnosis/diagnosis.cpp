@@ -7,9 +7,13 @@
 #include <cmath>
 
 #include "specs/unit_words.hpp"
+#include "synthesis/loads/sag.hpp"
 #include "synthesis/problem/obstacle_reach.hpp"
+#include "synthesis/search/best/best_design.hpp"
+#include "synthesis/search/diagnosis/relaxation_words.hpp"
 #include "synthesis/search/diagnosis/relaxations.hpp"
 #include "synthesis/search/steps/slack.hpp"
+#include "workspace/reach.hpp"
 
 namespace kempe {
 namespace {
@@ -64,6 +68,26 @@ void take_answers(const Questions& questions, NoDesign& none) {
                    [](const Relaxation& a, const Relaxation& b) { return give(a) < give(b); });
 }
 
+/// Limits on load error and sag of which each alone is in vain: what both would have to be for the best design without the two.
+std::string both_of_loads(const SearchTask& task) {
+  const Spec& spec = task.spec();
+  if (!spec.limits.load_error || !spec.limits.sag || task.stopped()) return "";
+  Spec other = spec;
+  other.limits.load_error = other.limits.sag = std::nullopt;
+  const auto design = best_design(pose(other, task.control.silent_part())).design;
+  const auto openings = design ? openings_over(design->linkage, spec.region) : std::nullopt;
+  if (!openings) return "";
+  const double give = design->attained.load_error,
+               sag = largest_sag(design->linkage, sag_conditions(spec, design->layers), *openings).sag.most();
+  if (!(give > *spec.limits.load_error) || !(sag > *spec.limits.sag) || !std::isfinite(give + sag)) return "";
+  const SpecUnit unit = task.control.options().unit;
+  const auto text = [&](double length) { return six_digits(length, unit); };
+  return fmt::format("; {} = {} and {} = {} are both in the way, {} and {} together would do",
+                     name_in(unit, "limits.load_error_mm"), text(*spec.limits.load_error),
+                     name_in(unit, "limits.sag_mm"), text(*spec.limits.sag), text(rounded_up(give, unit)),
+                     text(rounded_up(sag, unit)));
+}
+
 /// What was changed in vain.
 std::string in_vain(const NoDesign& none, const Questions& questions) {
   if (!none.diagnosed) return "; the diagnosis ended before it was known which limit to relax";
@@ -87,7 +111,7 @@ Diagnosis diagnose(const SearchTask& task, const SearchResult& nothing, const Po
   const Questions questions = asked_twice([&](bool thorough) { return asked(task, origin, thorough); });
   take_answers(questions, none);
   if (none.relaxations.empty()) {
-    none.sentence += in_vain(none, questions);
+    none.sentence += both_of_loads(task) + in_vain(none, questions);
   } else {
     none.sentence = none.relaxations.front().sentence;
     none.requirement = none.relaxations.front().key;
