@@ -14,6 +14,7 @@
 #include "reports/certificate.hpp"
 #include "reports/data/design_json.hpp"
 #include "reports/data/error_budget_json.hpp"
+#include "reports/data/feel_json.hpp"
 #include "reports/drawings/joint_stack.hpp"
 #include "reports/drawings/making_notes.hpp"
 #include "reports/drawings/overload_words.hpp"
@@ -377,6 +378,7 @@ std::string summary_json(const Design& design, const std::filesystem::path& fold
   object["files"] = files;
   object["left_out"] = left_out;
   if (const auto budget = error_budget(design)) object["error_budget"] = error_budget_values(*budget);
+  if (auto feel = feel_values(design)) object["feel"] = *std::move(feel);
   object["notes"] = making_notes(design);
   for (const std::string& words : tolerance_words(design)) object["notes"].push_back(words);
   return json_text(object);

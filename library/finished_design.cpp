@@ -6,6 +6,7 @@
 #include "library/workings.hpp"
 #include "reports/data/design_json.hpp"
 #include "reports/data/error_budget_json.hpp"
+#include "reports/data/feel_json.hpp"
 
 namespace kempe {
 
@@ -109,6 +110,11 @@ std::string FinishedDesign::json() const { return design_json(*inside_); }
 std::string FinishedDesign::error_budget_json() const {
   const auto budget = error_budget(*inside_);
   return budget ? error_budget_values(*budget).dump() : "";
+}
+
+std::string FinishedDesign::feel_json() const {
+  const auto feel = feel_values(*inside_);
+  return feel ? feel->dump() : "";
 }
 
 }  // namespace kempe

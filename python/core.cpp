@@ -417,6 +417,7 @@ void add_actions(DesignClass& type) {
              return at_work(py::none(), [&](Hooks&) { return verified_json(design); });
            })
       .def("error_budget", &FinishedDesign::error_budget_json, py::call_guard<py::gil_scoped_release>())
+      .def("feel", &FinishedDesign::feel_json, py::call_guard<py::gil_scoped_release>())
       .def("pens", &pens, "tracers"_a)
       .def("joints", &joints, "tracers"_a)
       .def("verify", &verified)

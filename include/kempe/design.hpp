@@ -110,6 +110,9 @@ class KEMPE_EXPORT FinishedDesign {
   /// The whole error with what would help against each part of it, as `error_budget` of `kempe synthesize --json` (docs/loads.md); empty
   /// without Spec::load or Spec::material, and where the region is not reached.
   std::string error_budget_json() const;
+  /// Mass felt at the tracer, friction, the hand's force, counterweights and springs, as `feel` of `kempe synthesize --json`
+  /// (docs/loads-out-of-plane.md); empty as above.
+  std::string feel_json() const;
 
  private:
   friend struct Workings;

@@ -341,6 +341,15 @@ class Design:
         return json.loads(text) if text else None
 
     @property
+    def feel(self) -> Optional[dict[str, Any]]:
+        """How the instrument feels in the hand, and what balances it on a tilted table (docs/loads-out-of-plane.md); None without a load.
+
+        "mass_min_kg" and "mass_max_kg" at the tracer, "friction_share", "hand_max_N", "weight_max_N", "counterweights" and "springs".
+        """
+        text = self._inside.feel()
+        return json.loads(text) if text else None
+
+    @property
     def map(self) -> Map:
         """Where the tracer can stand."""
         return Map(self)

@@ -178,6 +178,19 @@ class Weight(unittest.TestCase):
         self.assertIn(" against what the load lifts or lowers: ", page)
         self.assertNotIn("against sinking", page)
 
+    def test_the_answer_as_data_has_how_it_feels(self):
+        (self.here / "spec.toml").write_text(TASK + LOAD + "tilt_deg = 90\n")
+        answer = subprocess.run([PROGRAM, "synthesize", self.here / "spec.toml", "-o", self.here / "design", "--json"],
+                                capture_output=True, text=True, check=True).stdout
+        feel = json.loads(answer)["feel"]
+        said = subprocess.run([PROGRAM, "synthesize", self.here / "spec.toml", "-o", self.here / "design"],
+                              capture_output=True, text=True, check=True).stdout
+        self.assertIn(f"holds up to {feel['weight_max_N']:.3g} N of weight", said)
+        for weight in feel["counterweights"]:
+            self.assertIn(f"{weight['mass_kg']:.3g} kg on {weight['link']}, {weight['arm_mm']:.4g} mm from {weight['from']}", said)
+        for spring in feel["springs"]:
+            self.assertIn(f"{spring['rate_N_mm']:.3g} N/mm from {spring['height_mm']:.4g} mm uphill", said)
+
     def test_a_loaded_instrument_draws_beside_the_drawn_one(self):
         self.design(TASK + LOAD)
         plain = json.loads(self.trace("--json").stdout)

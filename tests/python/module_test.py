@@ -222,6 +222,13 @@ class Designs(InAFolder):
         best = budget["would_help_most"]["give"]
         self.assertLess(best["after_mm"], best["before_mm"])
         self.assertIsNone(DESIGN.error_budget)
+        feel = tilted.feel
+        self.assertLess(0, feel["mass_min_kg"])
+        self.assertLessEqual(feel["mass_min_kg"], feel["mass_max_kg"])
+        self.assertGreater(feel["hand_max_N"], feel["weight_max_N"])
+        self.assertEqual([weight["link"] for weight in feel["counterweights"]][0], "VA")
+        self.assertEqual(loaded.feel["weight_max_N"], 0)
+        self.assertIsNone(DESIGN.feel)
         self.assertIsNone(DESIGN.load_error_layered_max_mm)
         self.assertIsNone(DESIGN.stress_layered_max_MPa)
 
