@@ -39,9 +39,12 @@ std::optional<Json> feel_values(const Design& design) {
                          {"height_mm", figure(one.height)},
                          {"rate_N_mm", figure(one.rate)},
                          {"direction_deg", direction(one.direction)}});
-  return Json{{"mass_min_kg", figure(feel.mass_least)},     {"mass_max_kg", figure(feel.mass_most)},
-              {"friction_share", figure(feel.friction_share)}, {"hand_max_N", figure(feel.hand_most)},
-              {"weight_max_N", figure(feel.weight_most)},   {"counterweights", std::move(weights)},
+  return Json{{"mass_min_kg", figure(feel.mass_least)},
+              {"mass_max_kg", figure(feel.mass_most)},
+              {"friction_share", figure(feel.friction_share)},
+              {"hand_max_N", figure(feel.hand_most)},
+              {"weight_max_N", figure(feel.weight_most)},
+              {"counterweights", std::move(weights)},
               {"springs", std::move(springs)}};
 }
 
