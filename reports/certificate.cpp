@@ -25,7 +25,7 @@ CertificateOrNone certificate_of(const Design& design, const StopFlag& stop) {
 
 tl::expected<std::string, certificate::NoLog> certificate_of_none(const Spec& spec, const StopFlag& stop) {
   if (spec.links.sections.size() > 1) return tl::unexpected(certificate::NoLog::sections);
-  if (spec.limits.load_error) {
+  if (spec.limits.load_error || spec.limits.sag) {
     const auto without = proven_bound(spec, Objective::size, {.stop = stop});
     if (stop()) return tl::unexpected(certificate::NoLog::stopped);
     if (!without || !without->no_design) return tl::unexpected(certificate::NoLog::loads);

@@ -174,7 +174,7 @@ std::string reason(NoLog why, const ProofOptions& options) {
     case NoLog::bodies:
       return "its rules do not say where a body meets an obstacle, the table's edge or another body";
     case NoLog::loads:
-      return "it has no rules for loads, and it is the limit on the load error that no design keeps";
+      return "it has no rules for loads, and it is a limit on load error or sag that no design keeps";
     case NoLog::sections: return "it is of one cross-section, and the spec allows several";
     case NoLog::no_rules: break;
   }

@@ -44,6 +44,10 @@ Questions asked_of_plain(const SearchTask& task, const std::string& requirement,
                          bool thorough) {
   Questions questions(task, origin, thorough);
   if (requirement == "limits.sheets_gap_mm") relax_copy_gap(questions);
+  if (requirement == "limits.sag_mm") {
+    relax_sag(questions);
+    relax_support(questions);
+  }
   if (requirement == "obstacles") relax_obstacles(questions);
   if (requirement == "table") relax_bodies(questions);
   if (task.spec().pole.is_fixed() && !requirement.starts_with("links.")) relax_pole(questions);
@@ -124,7 +128,7 @@ NoDesign diagnose_plain(const SearchTask& task, NoDesign reason, const Point& or
   const Questions questions =
       asked_twice([&](bool thorough) { return asked_of_plain(task, reason.requirement, origin, thorough); });
   take_answers(questions, reason);
-  if (reason.relaxations.empty()) reason.sentence += in_vain(reason, questions);
+  if (reason.relaxations.empty()) reason.sentence += both_of_loads(task) + in_vain(reason, questions);
   return reason;
 }
 

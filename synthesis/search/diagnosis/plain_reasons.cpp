@@ -9,9 +9,12 @@
 #include "specs/grid_lengths.hpp"
 #include "specs/hardware.hpp"
 #include "synthesis/bound/copy_gap.hpp"
+#include "synthesis/loads/gravity.hpp"
+#include "synthesis/loads/sag.hpp"
 #include "synthesis/search/diagnosis/relaxation_words.hpp"
 #include "synthesis/search/steps/slack.hpp"
 #include "workspace/obstructions.hpp"
+#include "workspace/reach.hpp"
 
 namespace kempe {
 namespace {
@@ -113,6 +116,31 @@ std::optional<NoDesign> copy_too_near(const Spec& spec, const Point& pole, SpecU
                   apart > 0 ? "less or left out" : "left out"));
 }
 
+/// On an upright table play alone lets tracer and pen sink, and of that the post's part depends on the distance from the pole alone: whatever the
+/// links are, a unit force there turns the post by that distance. A link may tilt on it by play / grip.
+std::optional<NoDesign> post_tilts_too_far(const Spec& spec, const Point& pole, SpecUnit unit) {
+  if (!spec.limits.sag || !spec.material || !spec.load || !spec.load->rests.empty() || spec.region.empty())
+    return std::nullopt;
+  const SagConditions conditions = sag_conditions(spec, {});
+  if (!(conditions.play > 0) || gravity_across(conditions.tilt) > 0) return std::nullopt;
+  const double farthest = distance_range(spec.region, pole).farthest * std::max(1.0, spec.copy.scale()),
+               sinks = farthest * conditions.play / conditions.grip, limit = *spec.limits.sag;
+  if (!(sinks > limit * (1 + slack::limit_rounding))) return std::nullopt;
+  const std::string key = "limits.sag_mm";
+  const auto text = [&](double length) { return six_digits(length, unit); };
+  return impossible(
+      key,
+      fmt::format(
+          "{} = {} is in the way: {} is up to {} {} from the pole, and play of {} {} over a grip of {} {} in "
+          "the "
+          "post's bearing alone lets it sink by {} {} there, whatever the links are; the limit must be more "
+          "than that, {} more than {} or {} less than {}",
+          name_in(unit, key), text(limit), spec.copy.scale() > 1 ? "the pen" : "the tracer", text(farthest),
+          name(unit), text(conditions.play), name(unit), text(conditions.grip), name(unit), text(sinks),
+          name(unit), name_in(unit, "load.grip_mm"), text(conditions.grip * sinks / limit),
+          name_in(unit, "tolerance.play_mm"), text(conditions.play * limit / sinks)));
+}
+
 std::optional<NoDesign> pole_impossible(const Spec& spec, SpecUnit unit) {
   if (!spec.pole.is_fixed()) return std::nullopt;
   const Point& pole = std::get<Point>(spec.pole.place);
@@ -123,7 +151,8 @@ std::optional<NoDesign> pole_impossible(const Spec& spec, SpecUnit unit) {
                     "pole; it must move out of the region (or be free)",
                     place_text(pole, unit)));
   if (auto none = pole_blocked(spec, unit)) return none;
-  return copy_too_near(spec, pole, unit);
+  if (auto none = copy_too_near(spec, pole, unit)) return none;
+  return post_tilts_too_far(spec, pole, unit);
 }
 
 }  // namespace

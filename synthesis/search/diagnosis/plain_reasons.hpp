@@ -1,5 +1,5 @@
 #pragma once
-// What no search is needed for: the pole in the region or under an obstacle, a copy on its original, holes too near.
+// What no search is needed for: the pole in the region or under an obstacle, a copy on its original, holes too near, a post that tilts too far.
 
 #include <optional>
 

@@ -71,6 +71,7 @@ class Questions {
 /// Limits with a value: the least change of it; those that can be left out: without it, where no value does.
 void relax_limits(Questions& questions);
 void relax_copy_gap(Questions& questions);
+void relax_sag(Questions& questions);
 /// Where a limit on load error or sag was found to be in the way: wider or thicker links, a stiffer material.
 void relax_stiffness(Questions& questions);
 /// Where a limit on the sag was: tracer or pen resting on the table, pins held over a longer grip, less play.

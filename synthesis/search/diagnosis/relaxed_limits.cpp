@@ -155,6 +155,19 @@ std::optional<Sagging> with_sag(Questions& questions, std::optional<double> limi
   return Sagging{rounded_up(sag, questions.unit()), *std::move(design)};
 }
 
+}  // namespace
+
+std::optional<Relaxation> relaxed(Questions& questions, const MovableLimit& in_mm_or_degrees) {
+  const MovableLimit limit = stated_in(questions.unit(), in_mm_or_degrees);
+  const auto demanded = value_of(questions.limits(), questions.spec(), limit.goal);
+  if (!demanded || has_loosest(limit, *demanded) || questions.stopped()) return std::nullopt;
+  questions.note(limit.key);
+  const auto best = best_attained(questions, limit, *demanded);
+  // A limit that is kept is not in the way.
+  if (!best || questions.permits(best->design) || keeps(limit, best->design, *demanded)) return std::nullopt;
+  return moved_to(questions, limit, *demanded, *best);
+}
+
 /// No search makes the sag small: the design without the limit tells what would do, and designs with limits halfway there what less would.
 void relax_sag(Questions& questions) {
   const auto demanded = questions.limits().sag;
@@ -181,19 +194,6 @@ void relax_sag(Questions& questions) {
                  .sentence = length_would_do("limits.sag_mm", *demanded, enough->sag, questions.unit()),
                  .design = enough->design,
                  .is_least = false});
-}
-
-}  // namespace
-
-std::optional<Relaxation> relaxed(Questions& questions, const MovableLimit& in_mm_or_degrees) {
-  const MovableLimit limit = stated_in(questions.unit(), in_mm_or_degrees);
-  const auto demanded = value_of(questions.limits(), questions.spec(), limit.goal);
-  if (!demanded || has_loosest(limit, *demanded) || questions.stopped()) return std::nullopt;
-  questions.note(limit.key);
-  const auto best = best_attained(questions, limit, *demanded);
-  // A limit that is kept is not in the way.
-  if (!best || questions.permits(best->design) || keeps(limit, best->design, *demanded)) return std::nullopt;
-  return moved_to(questions, limit, *demanded, *best);
 }
 
 void relax_copy_gap(Questions& questions) {

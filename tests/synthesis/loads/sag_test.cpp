@@ -45,6 +45,28 @@ TEST(Sag, PlayOfAPinDroopsACantileverByItsLength) {
   EXPECT_NEAR(0.02 / 5 * drops[0], 1.6, 1e-9);
 }
 
+/// Of any linkage, whatever its lengths: the post bears each newton there times its distance.
+TEST(Sag, PlayLetsAPointSinkByNoLessThanItsDistanceFromThePostAllows) {
+  std::mt19937_64 random(20261130);
+  double nearest = infinity;
+  for (int i = 0; i < test::samples(500); ++i) {
+    const SagCase one = random_case(random);
+    const auto structure = structure_of(one);
+    const JointRoles roles = roles_of(one.grounding);
+    const SagAt sag = SagProfile(one.k, one.grounding, one.conditions).at(one.VA, one.VB, one.opening);
+    const auto from_post = [&](Joint joint) {
+      return std::abs(structure.places[static_cast<std::size_t>(joint)] -
+                      structure.places[static_cast<std::size_t>(roles.pole)]);
+    };
+    for (const auto& [drop, joint] : {std::pair{sag.tracer, roles.tracer}, std::pair{sag.pen, roles.pen}}) {
+      const double least = from_post(joint) * one.conditions.play / one.conditions.grip;
+      EXPECT_GE(drop.by_play, least * (1 - 1e-9)) << i;
+      nearest = std::min(nearest, drop.by_play / least);
+    }
+  }
+  EXPECT_LT(nearest, 2);
+}
+
 TEST(Sag, AnArmRoundACornerTwistsTheOther) {
   const double bending = 3e7, torsion = 2e7, a = 130, b = 90, load = 7;
   const GrillagePlan plan{.joints = {0, a, Complex(a, b)},

@@ -257,6 +257,30 @@ TEST(Diagnosis, AStockLengthNearerThanItsHolesIsNamedWithoutASearch) {
   }
 }
 
+/// On an upright table, whatever the links are: by the play of the post's bearing alone.
+TEST(Diagnosis, OfAPostThatTiltsTooFar) {
+  Spec spec = test::shipped_spec("pantorouter-upright");
+  ASSERT_FALSE(plainly_impossible(spec));
+  spec.limits.sag = 0.3;
+  const auto plain = plainly_impossible(spec);
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(plain->requirement, "limits.sag_mm");
+  const NoDesign none = nothing_for(spec);
+  EXPECT_TRUE(none.proven);
+  ASSERT_FALSE(none.relaxations.empty());
+  for (const Relaxation& relaxation : none.relaxations)
+    EXPECT_TRUE(has_design(as_told(spec, relaxation.key, relaxation.sentence))) << relaxation.sentence;
+  // No less than the post's own part is enough, and with that it is no plain reason any more.
+  const double alone = std::hypot(450, 70) * spec.tolerance->play / *spec.load->grip;
+  spec.limits.sag = 0.999 * alone;
+  EXPECT_TRUE(plainly_impossible(spec));
+  spec.limits.sag = 1.001 * alone;
+  EXPECT_FALSE(plainly_impossible(spec));
+  spec.limits.sag = 0.3;
+  spec.load->tilt = 0;  // what weights do is not known before there are links
+  EXPECT_FALSE(plainly_impossible(spec));
+}
+
 TEST(Diagnosis, OfATightCopyError) {
   Spec spec = test::shipped_spec("plagiograph");
   spec.tolerance = Tolerance{0.1, 0.05};
