@@ -303,9 +303,8 @@ std::string forces_table(const Design& design, const OpeningInterval& openings) 
                 "section. Peaks at the edges of the holes are not in it.",
                 figure_text(design.quality.loads->stress_max, 2))
           : "Stress in the links: bending and pull in the plane alone, on what the joints' holes leave of "
-            "the "
-            "section; what bends them out of it is not stated, for two joints of a link are too near each "
-            "other.";
+            "the section; what bends them out of it is not stated, for two joints of a link are too near "
+            "each other.";
   const std::string own_weight =
       weighs
           ? " Post, pins, bars and links bear the links' own weight along the table too, as it pulls in the "
@@ -354,12 +353,10 @@ std::string loads(const Design& design) {
       "tracer held. {}Each source alone at its worst place, so that a sum is no less than what its sources "
       "do together at any one "
       "place. Each change is judged alone, with the lengths as they are. To try one, give these lengths "
-      "under "
-      "[mechanism], change links.width_mm, links.thickness_mm, links.pin_diameter_mm, load.grip_mm or "
-      "load.rests, "
-      "and run kempe workspace; a new search may find other lengths. “With other lengths” stands beside a "
-      "change "
-      "with which these lengths would break another limit, so that parts touch, say.{}</p>\n",
+      "under [mechanism], change links.width_mm, links.thickness_mm, links.pin_diameter_mm, load.grip_mm "
+      "or load.rests, and run kempe workspace; a new search may find other lengths. “With other lengths” "
+      "stands beside a change with which these lengths would break another limit, so that parts touch, "
+      "say.{}</p>\n",
       html_escaped(design.material->name), section_text(design.style),
       design.style.plate == PlateStyle::triangle
           ? "Triangular plates are taken as two arms: they are stiffer. "

@@ -123,7 +123,9 @@ std::optional<NoDesign> post_tilts_too_far(const Spec& spec, const Point& pole, 
     return std::nullopt;
   const SagConditions conditions = sag_conditions(spec, {});
   if (!(conditions.play > 0) || gravity_across(conditions.tilt) > 0) return std::nullopt;
-  const double farthest = distance_range(spec.region, pole).farthest * std::max(1.0, spec.copy.scale()),
+  // With stock lengths the ratio may be another, and so the pen's distance.
+  const bool by_pen = spec.copy.scale() > 1 && !has_stock_lengths(spec);
+  const double farthest = distance_range(spec.region, pole).farthest * (by_pen ? spec.copy.scale() : 1),
                sinks = farthest * conditions.play / conditions.grip, limit = *spec.limits.sag;
   if (!(sinks > limit * (1 + slack::limit_rounding))) return std::nullopt;
   const std::string key = "limits.sag_mm";
@@ -131,13 +133,12 @@ std::optional<NoDesign> post_tilts_too_far(const Spec& spec, const Point& pole, 
   return impossible(
       key,
       fmt::format(
-          "{} = {} is in the way: {} is up to {} {} from the pole, and play of {} {} over a grip of {} {} in "
-          "the "
-          "post's bearing alone lets it sink by {} {} there, whatever the links are; the limit must be more "
-          "than that, {} more than {} or {} less than {}",
-          name_in(unit, key), text(limit), spec.copy.scale() > 1 ? "the pen" : "the tracer", text(farthest),
-          name(unit), text(conditions.play), name(unit), text(conditions.grip), name(unit), text(sinks),
-          name(unit), name_in(unit, "load.grip_mm"), text(conditions.grip * sinks / limit),
+          "{} = {} is in the way: {} is up to {} {} from the pole, and play of {} {} over a grip of {} {} "
+          "in the post's bearing alone lets it sink by {} {} there, whatever the links are; the limit must "
+          "be more than that, {} more than {} or {} less than {}",
+          name_in(unit, key), text(limit), by_pen ? "the pen" : "the tracer", text(farthest), name(unit),
+          text(conditions.play), name(unit), text(conditions.grip), name(unit), text(sinks), name(unit),
+          name_in(unit, "load.grip_mm"), text(conditions.grip * sinks / limit),
           name_in(unit, "tolerance.play_mm"), text(conditions.play * limit / sinks)));
 }
 

@@ -276,6 +276,12 @@ TEST(Diagnosis, OfAPostThatTiltsTooFar) {
   EXPECT_TRUE(plainly_impossible(spec));
   spec.limits.sag = 1.001 * alone;
   EXPECT_FALSE(plainly_impossible(spec));
+  Spec enlarging =
+      spec;  // there the pen is farther away; how far is not known where stock lengths may ask for another ratio
+  enlarging.copy = Copy::of(2, 0);
+  EXPECT_TRUE(plainly_impossible(enlarging));
+  enlarging.links.stock_lengths.grid = 5;
+  EXPECT_FALSE(plainly_impossible(enlarging));
   spec.limits.sag = 0.3;
   spec.load->tilt = 0;  // what weights do is not known before there are links
   EXPECT_FALSE(plainly_impossible(spec));
