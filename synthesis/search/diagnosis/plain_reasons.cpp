@@ -12,6 +12,7 @@
 #include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/sag.hpp"
 #include "synthesis/search/diagnosis/relaxation_words.hpp"
+#include "synthesis/search/steps/search_task.hpp"
 #include "synthesis/search/steps/slack.hpp"
 #include "workspace/obstructions.hpp"
 #include "workspace/reach.hpp"
