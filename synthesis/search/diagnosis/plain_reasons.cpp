@@ -118,7 +118,7 @@ std::optional<NoDesign> copy_too_near(const Spec& spec, const Point& pole, SpecU
 }
 
 /// On an upright table play alone lets tracer and pen sink, and of that the post's part depends on the distance from the pole alone: whatever the
-/// links are, a unit force there turns the post by that distance. A link may tilt on it by play / grip.
+/// links are, a unit force there turns the post by that distance. A link may tilt on it by play / grip. By more than rounding.
 std::optional<NoDesign> post_tilts_too_far(const Spec& spec, const Point& pole, SpecUnit unit) {
   if (!spec.limits.sag || !spec.material || !spec.load || !spec.load->rests.empty() || spec.region.empty())
     return std::nullopt;
@@ -126,9 +126,11 @@ std::optional<NoDesign> post_tilts_too_far(const Spec& spec, const Point& pole, 
   if (!(conditions.play > 0) || gravity_across(conditions.tilt) > 0) return std::nullopt;
   // With stock lengths the ratio may be another, and so the pen's distance.
   const bool by_pen = spec.copy.scale() > 1 && !has_stock_lengths(spec);
-  const double farthest = distance_range(spec.region, pole).farthest * (by_pen ? spec.copy.scale() : 1),
+  const double distance = distance_range(spec.region, pole).farthest,
+               rounding = slack::place_rounding * (distance + pole.norm()),
+               farthest = (distance - rounding) * (by_pen ? spec.copy.scale() : 1),
                sinks = farthest * conditions.play / conditions.grip, limit = *spec.limits.sag;
-  if (!(sinks > limit * (1 + slack::limit_rounding))) return std::nullopt;
+  if (!(sinks > limit * (1 + slack::place_rounding))) return std::nullopt;
   const std::string key = "limits.sag_mm";
   const auto text = [&](double length) { return six_digits(length, unit); };
   return impossible(
