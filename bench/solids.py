@@ -17,7 +17,7 @@ With --shares the differences are taken apart, one thing changed after another:
   in the plane       bricks without holes and pins (at a joint the links' discs have one mean movement); with holes, and pins a thousand times as
                      stiff, all links in one layer; with pins of steel; the links in their layers
   sag                kempe's beams; their weight without the holes'; what two crossing plates of bricks give way at their pin in place of what the
-                     pin's bending is; beside the bricks, also with pins that weigh as much as the holes' material
+                     pin's bending is; beside the bricks, also with pins that weigh as much as the holes' material or as steel
 
 usage: solids.py [--shares] KEMPE [FOLDER]      FOLDER: where CalculiX's files stay (a temporary one if left out)
 """
@@ -464,7 +464,8 @@ def shares(beams, layers, links, pin, force, states, sag, bricks, folder):
                         ("and joints as two crossing plates give, near-rigid pins", with_joints(NEAR_RIGID)),
                         ("bricks, near-rigid pins", heavy("stiff", NEAR_RIGID)),
                         ("and joints as two crossing plates give, pins of steel", with_joints(PINS)),
-                        ("bricks", bricks[1]), ("bricks, holes filled with weight", heavy("heavy", (*STEEL, density)))):
+                        ("bricks", bricks[1]), ("bricks, pins as heavy as the holes' material", heavy("heavy", (*STEEL, density))),
+                        ("bricks, pins with the weight of steel", heavy("weighed", (*STEEL, 7.85e-9)))):
         print(f"  {what:58} {100 * (value / sag - 1):+7.2f} %")
 
 

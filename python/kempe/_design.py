@@ -344,7 +344,8 @@ class Design:
     def feel(self) -> Optional[dict[str, Any]]:
         """How the instrument feels in the hand, and what balances it on a tilted table (docs/loads-out-of-plane.md); None without a load.
 
-        "mass_min_kg" and "mass_max_kg" at the tracer, "friction_share", "hand_max_N", "weight_max_N", "counterweights" and "springs".
+        "mass_min_kg" and "mass_max_kg" at the tracer, "friction_share", "hand_max_N", "weight_max_N", "counterweights", which
+        balance it at every tilt, and "springs".
         """
         text = self._inside.feel()
         return json.loads(text) if text else None

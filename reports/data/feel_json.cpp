@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json figure(double value) { return std::isfinite(value) ? Json(with_digits(value, 9)) : Json(); }
-Json direction(Complex way) { return figure(degrees(std::arg(way))); }
+Json direction(Complex way) { return figure(degrees(std::arg(way)) + 0.0); }  // + 0: no minus before zero
 
 }  // namespace
 
